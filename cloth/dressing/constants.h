@@ -32,7 +32,10 @@ struct Closing {
 /// 3,000. With 30,000 most tangle again, for gathers can't fold; but two of three that tangle three
 /// times do not [measured].
 ///
-/// Most garments close as well in a third of the iterations, so the first attempt has no more.
+/// The first attempt has a third of the iterations. Of 81 random garments, 80 keep their verdict,
+/// one no longer comes to rest, and dressing takes 0.84 of the time in the median [measured, 15
+/// mm]. The same again with 3,000 before the second attempt brought none clear of seven that it was
+/// tried on.
 ///
 /// What is cut far too small for an arm or a hip closes through it. Larger cloth closes around it,
 /// and then shrinks.
