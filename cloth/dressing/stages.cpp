@@ -38,14 +38,13 @@ RelaxOptions level_options(const Level& level) {
   return options;
 }
 
-/// Of stages that sew: the cloth is stiff by a factor on its bending, weightless, and drawn to the
-/// body.
-RelaxOptions sewing_options(const Level& level, double bending, double pull) {
+/// Of stages that sew: the cloth is stiff, weightless, and drawn to the body.
+RelaxOptions sewing_options(const Level& level, const Closing& closing) {
   RelaxOptions options = level_options(level);
   options.compression = soft_compression.back();
-  options.bending_from = options.bending_to = bending;
+  options.bending_from = options.bending_to = closing.bending;
   options.gravity = 0;
-  options.body_attraction = pull;
+  options.body_attraction = closing.pull;
   options.linearization_radius = closing_linearization_radius;
   options.friction = false;
   options.barrier = true;
@@ -136,10 +135,10 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 }
 
 Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal) {
-  RelaxOptions options = sewing_options(level, closing.bending, closing.pull);
+  RelaxOptions options = sewing_options(level, closing);
   const double across =
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
-  options.closing_iterations = static_cast<int>(closing.iterations * across);
+  options.closing_iterations = static_cast<int>(closing_iterations * across);
   options.passing_iterations = passing_iterations;
   options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
@@ -151,7 +150,7 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
 Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal) {
   Staged staged{std::move(state), {}};
   if (!is_clear_of_itself(level, staged.state)) {
-    RelaxOptions options = sewing_options(level, untangling_stiffness, closing.pull);
+    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull, 1});
     options.max_iterations = untangling_iterations;
     options.untangles = true;
     options.bounded_by_body = true;
@@ -159,8 +158,8 @@ Staged untangle(const Level& level, State state, const Closing& closing, Journal
                  progress_when_sewn(level, journal), journal);
     if (!staged.report.converged) return staged;
   }
-  RelaxOptions options = sewing_options(level, closing_attempts.front().bending, closing.pull);
-  options.max_iterations = static_cast<int>(closing.iterations * softening_share);
+  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull, 1});
+  options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;
   staged = run("untangle", level, level.model, std::move(staged.state), options,
@@ -180,7 +179,7 @@ Level enlarged(Level level, double size) {
 }
 
 Staged shrink(const Level& level, Staged staged, const Closing& closing, Journal& journal) {
-  RelaxOptions options = sewing_options(level, 1, closing.pull);
+  RelaxOptions options = sewing_options(level, {1, closing.pull, 1});
   options.max_iterations = shrinking_iterations;
   options.bounded = true;
   for (double size = closing.size; size > 1;) {

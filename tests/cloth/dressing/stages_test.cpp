@@ -63,7 +63,7 @@ TEST(Shrink, ClothFarTooSmallForTheBodyStaysAroundIt) {
   Scene scene;
   scene.collider = &collider;
   const Level level = compiled_level(garment, 0, closing_scene(scene), garment.placed, 0.002);
-  const Closing closing = {1, closing_pull, 2.3, 3000};
+  const Closing closing = {1, closing_pull, 2.3};
   Staged staged;
   staged.state.nodes = level.model.start;
   Journal journal({});
