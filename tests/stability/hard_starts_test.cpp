@@ -41,7 +41,7 @@ class HardStarts : public testing::Test {
     std::vector<std::string> words = {
         "--body", body(), garment, "-o", dressed, "--report", folder / "report.json"};
     words.insert(words.end(), options.begin(), options.end());
-    done = run("dress", words, 60);
+    done = run("dress", words, 600);
     EXPECT_EQ(done.exit_code, exit_code) << done.err;
     const std::string start = testing::UnitTest::GetInstance()->current_test_info()->name();
     if (done.exit_code == 1) {
