@@ -148,9 +148,10 @@ class CoupledRelaxation {
         compile(*worn.garment, scene, worn.garment->placed, model_.body_offset);
     const std::vector<Vec3>& nodes = result_.nodes.back();
     result_.tight_seams.push_back(tight_seams(*worn.garment, model, nodes, multipliers));
-    if (!scene.strain_limit) return;
-    result_.tight_regions.push_back(tight_regions(*worn.garment, point_positions(model, nodes),
-                                                  *scene.strain_limit, multipliers));
+    if (scene.strain_limit) {
+      result_.tight_regions.push_back(tight_regions(*worn.garment, point_positions(model, nodes),
+                                                    *scene.strain_limit, multipliers));
+    }
   }
 
   int garment_of(int node) const {

@@ -41,7 +41,7 @@ struct CoupledResult {
   std::vector<std::vector<double>> extra_offset;    ///< metres, by garment: RelaxReport's
   std::vector<MoveStatistics> moved;                ///< by garment: from where it was dressed
   std::vector<std::vector<TightSeam>> tight_seams;  ///< by garment
-  std::vector<TightRegions> tight_regions;          ///< by garment
+  std::vector<TightRegions> tight_regions;          ///< by garment; none without a strain limit
   std::vector<LayerContact> contacts;               ///< of garments that touch, sorted
   std::optional<ReleaseReport> release;             ///< of the whole, if it was asked for
 };

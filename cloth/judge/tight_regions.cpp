@@ -7,6 +7,7 @@
 #include "cloth/judge/flat_line.h"
 #include "cloth/judge/yarn_strain.h"
 #include "cloth/scene/constants.h"
+#include "geometry/polygon.h"
 
 namespace toile {
 
@@ -53,6 +54,8 @@ class TightRegionSearch {
     return along_warp ? strains_[t].warp : strains_[t].weft;
   }
 
+  /// Whether the yarn is beyond the limit, and stays so though its multiplier is the largest there
+  /// is.
   bool is_tight(int t, bool along_warp) const {
     if (gathered_[t]) return false;
     if (multipliers_.empty()) return strain(t, along_warp) > limit_;
@@ -83,13 +86,6 @@ class TightRegionSearch {
     return all;
   }
 
-  double flat_area(int t) const {
-    const auto [a, b, c] = flat_corners(garment_, t);
-    const Vec2 ab = b - a;
-    const Vec2 ac = c - a;
-    return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
-  }
-
   TightRegion measure(const MeshedPanel& panel, bool along_warp,
                       const std::vector<int>& piece) const {
     TightRegion region;
@@ -97,7 +93,8 @@ class TightRegionSearch {
     region.along_warp = along_warp;
     region.flat = Vec2::Zero();
     for (const int t : piece) {
-      const double area = flat_area(t);
+      const auto [a, b, c] = flat_corners(garment_, t);
+      const double area = std::abs(signed_area({a, b, c}));
       region.area += area;
       region.mean += area * strain(t, along_warp);
       region.largest = std::max(region.largest, strain(t, along_warp));

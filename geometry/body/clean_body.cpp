@@ -163,8 +163,8 @@ Matrix to_the_front(const Upright& axis, const AxisDirection& front, const std::
 /// it then turned out to face backward: the toes of a body that leans back are off the floor.
 bool stand_upright(Standing& body, const TriangleMesh& mesh, const std::string& name,
                    CleanReport& report) {
-  // Postures differ by 1 radians_per_degree. At 1, straight bodies would be turned; at 4, a bust
-  // would be 8 mm too small.
+  // Postures differ by 1 degree. At 1, straight bodies would be turned; at 4, a bust would be 8 mm
+  // too small.
   constexpr double least_lean = 2 * radians_per_degree;
   // The joints of a leaning body are less true: twice more.
   bool was_backward = false;

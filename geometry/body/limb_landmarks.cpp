@@ -169,8 +169,9 @@ class LimbFinder {
     for (const Vec3& p : mesh_.points) {
       const double on = along.dot(p - wrist);
       const double off = (p - wrist - on * along).norm();
-      if (off < hand_share * h_ / 2 + on / 2 && on < 2 * hand_share * h_)
+      if (off < hand_share * h_ / 2 + on / 2 && on < 2 * hand_share * h_) {
         reach = std::max(reach, on);
+      }
     }
     return reach;
   }

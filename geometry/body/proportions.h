@@ -3,8 +3,8 @@
 
 namespace toile {
 
-/// Upper arm, forearm_share and hand, as shares of the body's height: the segment lengths of
-/// [Drillis & Contini 1966] as every ergonomics table has them.
+/// Upper arm, forearm and hand, as shares of the body's height: the segment lengths of [Drillis &
+/// Contini 1966] as every ergonomics table has them.
 inline constexpr double upper_arm_share = 0.186;
 inline constexpr double forearm_share = 0.146;
 inline constexpr double hand_share = 0.108;

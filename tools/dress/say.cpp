@@ -47,8 +47,9 @@ std::string text_of(const std::vector<TightRegion>& regions) {
        << " cm above the ground, " << 1e4 * most.area << " cm2, is strained by up to "
        << percent(most.largest) << " along the " << (most.along_warp ? "warp" : "weft")
        << ", where " << 100 * most.missing << " cm are missing";
-  if (const std::size_t others = regions.size() - 1; others > 0)
+  if (const std::size_t others = regions.size() - 1; others > 0) {
     line << "; other regions: " << others;
+  }
   return line.str();
 }
 
