@@ -37,6 +37,10 @@ inline constexpr double min_draw_gain = 0.002;
 /// Metres of gap and of draw that a panel rolled about bent bones has to spare.
 inline constexpr double min_bend_gain = 0.02;
 
+/// Degrees by which a band at the neck is tried to lean to the front. At the neck of `mean_male` a
+/// band of 4 cm has a radius of 13.5 cm at 0 degrees, 9 at 12, 8.7 at 24.
+inline constexpr double neck_leans[] = {10, 20, 30};
+
 /// Metres between the panels of a leg and the plane between the legs.
 inline constexpr double leg_plane_clearance = 0.005;
 
@@ -133,6 +137,10 @@ inline constexpr double min_neck_difference = 0.01;
 /// Of drawn leggings it is 0 for the legs, and 0.84 for a leg and its waistband. So half and double
 /// find the same legs.
 inline constexpr double leg_likeness = 0.2;
+
+/// Share of TubeFit from which on a strip goes around. One that covers half of the way around fits
+/// by 0.64, one that covers two thirds by 0.83.
+inline constexpr double min_tube_fit = 0.8;
 
 /// Metres from the middle plane to the side of a hood, as a share of that to the shoulder joint.
 inline constexpr double hood_distance = 0.65;

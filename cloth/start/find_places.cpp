@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "cloth/start/constants.h"
 #include "cloth/start/flat_layout.h"
 #include "cloth/start/worn_layout.h"
+#include "geometry/angles.h"
 #include "geometry/body/bones.h"
 #include "geometry/body/limbs_through.h"
 #include "geometry/disjoint_sets.h"
@@ -62,14 +64,18 @@ class Component {
   }
   std::optional<bool> named_back(int p) const;
   void sort_panels();
+  void take_strips();
+  DisjointSets joined(const std::vector<int>& panels) const;
   void check_sewn() const;
   void lay_panels();
   void stand_panels(std::vector<Vec3>& placed);
   double panel_depth(std::size_t i, const std::pair<double, double>& trunk) const;
   void stand_hoods(std::vector<Vec3>& placed) const;
   void stand_hood(int p, const std::vector<char>& stands, std::vector<Vec3>& placed) const;
-  void roll_all(std::vector<MeshedPanel>& meshed) const;
-  void roll(int p, std::vector<MeshedPanel>& meshed) const;
+  TubeFit fit_around(int p, BodyPart part, const std::vector<MeshedPanel>& meshed) const;
+  void roll_all(const std::vector<Vec3>& placed, std::vector<MeshedPanel>& meshed) const;
+  void roll(int p, const std::vector<Vec3>& placed, std::vector<MeshedPanel>& meshed) const;
+  void level(int p, const std::vector<Vec3>& placed, PanelPlacement& placement) const;
   BodyPart rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
   bool are_sewn(int p, int q) const;
   int twin_leg(int p) const;
@@ -99,6 +105,7 @@ class Component {
   std::vector<int> flat_;  ///< that lie in the layout
   std::vector<int> hoods_;
   std::vector<int> around_;
+  std::size_t strips_ = 0;  ///< how many of around_ do not close by a seam of their own
   std::optional<WornLayout> worn_;
 };
 
@@ -133,17 +140,93 @@ void Component::sort_panels() {
   }
 }
 
+/// Of all panels: sets of these that seams between them join.
+DisjointSets Component::joined(const std::vector<int>& panels) const {
+  DisjointSets sets(garment_.panels.size());
+  for (const MeshedSeam& seam : garment_.seams) {
+    const int a = panel_of_[seam.a[1]];
+    const int b = panel_of_[seam.b[1]];
+    if (std::ranges::count(panels, a) > 0 && std::ranges::count(panels, b) > 0) sets.join(a, b);
+  }
+  return sets;
+}
+
+/// A strip goes around if what it is sewn to does, once that lies flat. Collars do, cuffs, and
+/// waistbands that are left open.
+void Component::take_strips() {
+  std::vector<int> strips;
+  std::vector<int> rest;
+  for (const int p : flat_) {
+    const bool may_be = asked(p) == nullptr && !is_sleeve(p) && may_be_strip(garment_, p);
+    (may_be ? strips : rest).push_back(p);
+  }
+  DisjointSets sets = joined(rest);
+  const auto is_apart = [&](int p) { return sets.of(p) != sets.of(rest.front()); };
+  if (strips.empty() || rest.empty() || std::ranges::any_of(rest, is_apart)) return;
+  flat_ = std::move(rest);
+  lay_panels();
+  std::vector<MeshedPanel> meshed = garment_.panels;
+  for (const int p : around_) meshed[p].placement.around = 1;
+  // What is sewn to a strip may be one, too.
+  for (bool is_new = true; is_new;) {
+    is_new = std::erase_if(strips, [&](int p) {
+               if (!(fit_around(p, BodyPart::none, meshed).share >= min_tube_fit)) return false;
+               meshed[p].placement.around = 1;
+               around_.push_back(p);
+               ++strips_;
+               return true;
+             }) > 0;
+  }
+  flat_.insert(flat_.end(), strips.begin(), strips.end());
+  std::ranges::sort(flat_);
+}
+
+/// How a panel fits around what it is sewn to. Of that counts what lies in the layout, and what is
+/// rolled around the same part. `part` none: around any one.
+TubeFit Component::fit_around(int p, BodyPart part, const std::vector<MeshedPanel>& meshed) const {
+  double left = infinity;
+  double right = -infinity;
+  const auto in_picture = [&](int point) -> std::optional<Vec2> {
+    const auto partner = in_layout(panel_of_[point]);
+    if (!partner || is_limb(part)) return std::nullopt;
+    return worn_->layout().picture(*partner, garment_.flat[point]);
+  };
+  each_partner(p, [&](int, int other) {
+    if (const auto at = in_picture(other)) {
+      left = std::min(left, at->x());
+      right = std::max(right, at->x());
+    }
+  });
+  return tube_fit(garment_, p, [&](int point) -> std::optional<double> {
+    const int q = panel_of_[point];
+    if (const auto at = in_picture(point)) {
+      const double share = (at->x() - left) / (right - left) - 0.5;
+      const bool is_back = worn_->layout().back[*in_layout(q)] != 0;
+      return std::numbers::pi * (is_back ? 1 - share : share);
+    }
+    const PanelPlacement& placement = meshed[q].placement;
+    if (placement.around == 0 || (part != BodyPart::none && meshed[q].is.part != part)) {
+      return std::nullopt;
+    }
+    double low = infinity;
+    double high = -infinity;
+    for (int i = panel(q).first_point; i < panel(q).first_point + panel(q).points; ++i) {
+      const double x = upright(placement.axis, garment_.flat[i]).x();
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    const double x = upright(placement.axis, garment_.flat[point]).x();
+    return 2 * std::numbers::pi * ((x - low) / (high - low) - 0.5) +
+           to_radians(placement.turn_degrees);
+  });
+}
+
 /// Throws Error when seams do not tell where the flat panels belong.
 void Component::check_sewn() const {
   if (flat_.size() == 1 && panels_.size() == 1 && asked(flat_.front()) == nullptr) {
     throw refused(flat_.front(), "is sewn to no other panel, so nothing tells its place");
   }
-  DisjointSets sets(garment_.panels.size());
-  for (const MeshedSeam& seam : garment_.seams) {
-    const int a = panel_of_[seam.a[1]];
-    const int b = panel_of_[seam.b[1]];
-    if (in_layout(a) && in_layout(b)) sets.join(a, b);
-  }
+  DisjointSets sets = joined(flat_);
   for (const int p : flat_) {
     if (sets.of(p) == sets.of(flat_.front())) continue;
     throw refused(p, "is sewn to '" + panel(flat_.front()).name +
@@ -163,7 +246,7 @@ void Component::lay_panels() {
   // One face alone is no name of a face, as in panels named a, b and c.
   const bool are_named = (faces[0] && faces[1]) || is_asked;
   if (!are_named) back.assign(flat_.size(), std::nullopt);
-  worn_.emplace(garment_, lay_flat(garment_, flat_, back), around_.size());
+  worn_.emplace(garment_, lay_flat(garment_, flat_, back), around_.size() - strips_);
   if (!are_named) worn_->choose_front();
   worn_->straighten_legs(skeleton_);
 }
@@ -391,7 +474,7 @@ void Component::level_by_crotch(int p, PanelPlacement& placement) const {
 }
 
 /// What is sewn to a flat panel is rolled first, then what is sewn to that.
-void Component::roll_all(std::vector<MeshedPanel>& meshed) const {
+void Component::roll_all(const std::vector<Vec3>& placed, std::vector<MeshedPanel>& meshed) const {
   std::vector<int> waiting = around_;
   while (!waiting.empty()) {
     const auto next = std::find_if(waiting.begin(), waiting.end(), [&](int p) {
@@ -403,12 +486,34 @@ void Component::roll_all(std::vector<MeshedPanel>& meshed) const {
       return tells;
     });
     const auto at = next == waiting.end() ? waiting.begin() : next;
-    roll(*at, meshed);
+    roll(*at, placed, meshed);
     waiting.erase(at);
   }
 }
 
-void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
+/// A band at the neck goes around the neck, its seam at the base. Any other panel lies level with
+/// what it is sewn to; positioning sees to that.
+void Component::level(int p, const std::vector<Vec3>& placed, PanelPlacement& placement) const {
+  double height = 0;
+  double seam = 0;
+  int count = 0;
+  each_partner(p, [&](int mine, int other) {
+    if (!in_layout(panel_of_[other])) return;
+    height += placed[other].y();
+    seam += upright(placement.axis, garment_.flat[mine]).y();
+    ++count;
+  });
+  if (count == 0) return level_by_crotch(p, placement);
+  const auto away = [&](const char* joint) {
+    return std::abs(height / count - skeleton_.joint(joint).y());
+  };
+  if (away("neck") > away("waist")) return;
+  placement.at = "neck";
+  placement.level = seam / count;
+}
+
+void Component::roll(int p, const std::vector<Vec3>& placed,
+                     std::vector<MeshedPanel>& meshed) const {
   MeshedPanel& rolled = meshed[p];
   const BodyPart part = rolled_part(p, meshed);
   if (!is_told(rolled.is.part) || rolled.is.part != part) {
@@ -418,19 +523,25 @@ void Component::roll(int p, std::vector<MeshedPanel>& meshed) const {
   rolled.placement = {};
   rolled.placement.around = 1;
   rolled.placement.axis = up_axis(garment_, p, goes_around_arm);
-  if (!goes_around_arm) level_by_crotch(p, rolled.placement);
+  const TubeFit fit = fit_around(p, rolled.is.part, meshed);
+  if (fit.share >= min_tube_fit) {
+    rolled.placement.axis = fit.axis;
+    rolled.placement.turn_degrees = to_degrees(fit.turn);
+  }
+  if (!goes_around_arm) level(p, placed, rolled.placement);
 }
 
 std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,
                                   std::vector<MeshedPanel>& meshed) {
   sort_panels();
+  take_strips();
   if (!flat_.empty()) {
     check_sewn();
     lay_panels();
     stand_panels(placed);
   }
   stand_hoods(placed);
-  roll_all(meshed);
+  roll_all(placed, meshed);
   for (std::size_t i = 0; i < flat_.size(); ++i) {
     found[flat_[i]].side = worn_->layout().back[i] ? PlacementSide::back : PlacementSide::front;
     found[flat_[i]].upside_down = worn_->is_upside_down();

@@ -243,10 +243,12 @@ class PanelLevels {
 class PanelPose {
  public:
   /// `drawn_out`: metres farther along the bones. `bent`: a rolled panel follows their bends.
-  PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false)
+  /// `lean`: radians by which it leans to the front.
+  PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false, double lean = 0)
       : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
     const double angle = to_radians(degrees_around(piece.panel.placement, piece.panel.is.part));
-    turned_ = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    turned_ = (Eigen::AngleAxisd(lean, Vec3::UnitX()) * Eigen::AngleAxisd(angle, Vec3::UnitY()))
+                  .toRotationMatrix();
     const double a = piece.arc(piece.low.y()) + drawn_out;
     const double b = piece.arc(piece.high.y()) + drawn_out;
     std::tie(middle_, frame_) = along_bones(std::min(a, b), std::max(a, b));
@@ -359,7 +361,7 @@ double clear_distance(const UprightPanel& piece, const DistanceGrid& body, doubl
 
 PositionedPanel stand_flat(const UprightPanel& piece, const DistanceGrid& body,
                            const std::vector<double>& drawn_out) {
-  PositionedPanel best{piece.panel.name, false, false, max_panel_distance, 0, 0, 0};
+  PositionedPanel best{piece.panel.name, false, false, max_panel_distance, 0, 0, 0, 0};
   for (const double drawn : drawn_out) {
     const double distance = clear_distance(piece, body, drawn, best.distance);
     // A centimetre down the arm has to bring more than its slope does.
@@ -375,15 +377,15 @@ PositionedPanel stand_flat(const UprightPanel& piece, const DistanceGrid& body,
 }
 
 PositionedPanel roll_around(const UprightPanel& piece, const DistanceGrid& body,
-                            const std::vector<double>& drawn_out, bool bent) {
+                            const std::vector<double>& drawn_out, bool bent, double lean = 0) {
   const double around = piece.panel.placement.around;
   const double width = piece.high.x() - piece.low.x();
   const double tightest = rolling_radius(width, around, 0);
-  PositionedPanel best{piece.panel.name, true, bent, tightest, 0, 0, piece.panel.points + 1};
+  PositionedPanel best{piece.panel.name, true, bent, tightest, 0, 0, piece.panel.points + 1, lean};
   for (double radius = tightest; best.points_too_near > 0 && radius <= tightest + max_radius_growth;
        radius += positioning_step) {
     for (const double drawn : drawn_out) {
-      const PanelPose pose(piece, drawn, bent);
+      const PanelPose pose(piece, drawn, bent, lean);
       const int count = pose.too_near(body, radius, best.points_too_near);
       if (count >= best.points_too_near) continue;
       best.distance = radius;
@@ -399,13 +401,28 @@ PositionedPanel roll_around(const UprightPanel& piece, const DistanceGrid& body,
   return best;
 }
 
-/// Rolls the panel about a straight line, or about the bent bones where that is better.
+/// Whether less of the panel is too near to the skin, or as much of it with less of a gap.
+bool is_better(const PositionedPanel& a, const PositionedPanel& b) {
+  if (a.points_too_near != b.points_too_near) return a.points_too_near < b.points_too_near;
+  return a.gap < b.gap;
+}
+
+/// Rolls the panel about a straight line, or about the bent bones where that is better. At the
+/// neck, which leans to the front as bones do not tell, it leans as far as brings it the nearest.
 PositionedPanel roll_around(const UprightPanel& piece, const DistanceGrid& body,
                             const std::vector<double>& drawn_out) {
+  if (piece.panel.placement.at == "neck") {
+    PositionedPanel best = roll_around(piece, body, drawn_out, false);
+    for (const double degrees : neck_leans) {
+      best = std::min(best, roll_around(piece, body, drawn_out, false, to_radians(degrees)),
+                      is_better);
+    }
+    return best;
+  }
   const PositionedPanel straight = roll_around(piece, body, drawn_out, false);
   const PositionedPanel bent = roll_around(piece, body, drawn_out, true);
   if (bent.points_too_near != straight.points_too_near) {
-    return bent.points_too_near < straight.points_too_near ? bent : straight;
+    return std::min(straight, bent, is_better);
   }
   const double brings = straight.drawn_out + straight.gap - bent.drawn_out - bent.gap;
   return brings > min_bend_gain ? bent : straight;
@@ -456,7 +473,7 @@ Positioning position_panels(const PanelMesh& garment, const DistanceGrid& body,
   for (const UprightPanel& piece : levels.pieces) {
     const double drawn = may_be_drawn_out(piece) ? drawn_out.at(piece.panel.is.part) : 0;
     const PositionedPanel how = position(piece, body, drawn, drawn);
-    const PanelPose pose(piece, how.drawn_out, how.bent);
+    const PanelPose pose(piece, how.drawn_out, how.bent, how.lean);
     for (int i = 0; i < piece.panel.points; ++i) {
       result.placed[piece.panel.first_point + i] = pose.at(piece.points[i], how.distance);
     }

@@ -20,6 +20,7 @@ struct PositionedPanel {
   double gap = 0;           ///< metres missing to the share of the tube that a rolled panel covers
   double drawn_out = 0;     ///< metres that a sleeve was drawn down the arm to clear the body
   int points_too_near = 0;  ///< nearer to the skin than asked, where nothing helped
+  double lean = 0;          ///< radians to the front, of what is rolled around the neck
 };
 
 struct Positioning {
@@ -48,6 +49,7 @@ Eigen::Matrix3d part_frame(const Vec3& up);
 ///   is taken.
 /// - Where bends of the part obstruct a straight line, as an elbow does, the panel is rolled about
 ///   the bones as they bend. That must spare 2 cm of gap and draw.
+/// - What is rolled at the neck leans to the front by up to 30 degrees, if its gap is less then.
 /// - A sleeve whose pattern names no joint is drawn down its arm by up to 20 cm, if that brings
 ///   it nearer to the arm. The armpit obstructs it. Panels of one arm are drawn alike.
 /// - Panels of a leg stay on its side of the plane between both legs. Rolled ones keep clear by

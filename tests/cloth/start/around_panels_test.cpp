@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/cloth/panels.h"
 
 namespace toile {
@@ -41,6 +44,49 @@ TEST(AroundPanels, ASleeveDrawnLevelRunsAlongX) {
   }
   garment.seams = {test::seam("underarm", lower, upper)};
   EXPECT_EQ(up_axis(garment, 0, true), PlacementAxis::plus_x);
+}
+
+/// A strip of 0.8 x 0.1 m whose lower edge is sewn to the upper one of another.
+PanelMesh strips() {
+  PanelMesh garment;
+  add_panel(garment, "strip", grid(0.8, 0.1, 8, 1), at_origin);
+  add_panel(garment, "rest", grid(0.8, 0.1, 8, 1), at_origin);
+  garment.seams = {
+      test::seam("long", {0, 1, 2, 3, 4, 5, 6, 7, 8}, {27, 28, 29, 30, 31, 32, 33, 34, 35})};
+  return garment;
+}
+
+TEST(AroundPanels, WhatIsSewnAcrossIsNoStrip) {
+  PanelMesh garment = strips();
+  EXPECT_TRUE(may_be_strip(garment, 0));
+  add_panel(garment, "other half", grid(0.8, 0.1, 8, 1), at_origin);
+  garment.seams.push_back(test::seam("end", {8, 17}, {36, 45}));
+  EXPECT_FALSE(may_be_strip(garment, 0));
+  // The other half is sewn to nothing else.
+  EXPECT_TRUE(may_be_strip(garment, 2));
+}
+
+TEST(AroundPanels, TheTubeFitTellsHowFarAroundAStripIsSewn) {
+  const PanelMesh garment = strips();
+  // The partner's points go around from a half turn behind the middle on.
+  const auto around = [](double turns) {
+    return [turns](int p) -> std::optional<double> {
+      return std::numbers::pi + turns * 2 * std::numbers::pi * ((p - 27) / 8.0 - 0.5);
+    };
+  };
+  const TubeFit whole = tube_fit(garment, 0, around(1));
+  EXPECT_NEAR(whole.share, 1, 1e-9);
+  EXPECT_NEAR(std::abs(whole.turn), std::numbers::pi, 1e-9);
+  EXPECT_EQ(whole.axis, PlacementAxis::plus_y);
+  // The mean of cos(x) at nine places from a quarter of a turn before to a quarter behind.
+  double half = 0;
+  for (int k = -4; k <= 4; ++k) half += std::cos(std::numbers::pi * k / 8) / 9;
+  EXPECT_NEAR(tube_fit(garment, 0, around(0.5)).share, half, 1e-9);
+  EXPECT_LT(tube_fit(garment, 0, around(0)).share, 0.2);
+  // The other way around, its right side lies outside where it is upside down.
+  const TubeFit turned = tube_fit(garment, 0, around(-1));
+  EXPECT_NEAR(turned.share, 1, 1e-9);
+  EXPECT_EQ(turned.axis, PlacementAxis::minus_y);
 }
 
 }  // namespace around_panels_test

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "cloth/start/place_panels.h"
 #include "cloth/start/places_fit.h"
@@ -240,6 +241,65 @@ TEST(FindPlaces, ACuffOfOnePieceIsRolledBelowItsSleeveInAnyOrder) {
     // The sleeve's middle is between shoulder and wrist.
     EXPECT_LT(sleeve, down.dot(body().skeleton.joint("left_wrist") - elbow)) << cuffs_first;
     EXPECT_GT(sleeve, down.dot(body().skeleton.joint("left_shoulder") - elbow)) << cuffs_first;
+  }
+}
+
+/// The sample T-shirt with a strip around its neckline, open in front, which is drawn turned by
+/// quarters of a turn.
+Json with_collar(int quarters) {
+  Json pattern = sample("tshirt");
+  strip(pattern);
+  const auto drawn = [&](double x, double y) {
+    for (int i = 0; i < quarters; ++i) x = -std::exchange(y, x);
+    return Json{x, y};
+  };
+  const double front = std::hypot(9, 10);  // the lengths of the neckline's edges, cm
+  const double back = std::hypot(9, 2.2);
+  const double width = 2 * (front + back);
+  Json collar;
+  collar["vertices"] = {drawn(0, 0),
+                        drawn(front, 0),
+                        drawn(front + back, 0),
+                        drawn(front + 2 * back, 0),
+                        drawn(width, 0),
+                        drawn(width, 6),
+                        drawn(0, 6)};
+  for (int i = 0; i < 7; ++i) collar["edges"].push_back({{"endpoints", {i, (i + 1) % 7}}});
+  pattern["pattern"]["panels"]["k7"] = collar;
+  pattern["pattern"].erase("panel_order");
+  const std::pair<const char*, int> neckline[] = {
+      {"left_front", 4}, {"left_back", 1}, {"right_back", 4}, {"right_front", 1}};
+  for (int i = 0; i < 4; ++i) {
+    pattern["pattern"]["stitches"].push_back(
+        {{{"panel", "k7"}, {"edge", i}},
+         {{"panel", neckline[i].first}, {"edge", neckline[i].second}}});
+  }
+  return pattern;
+}
+
+TEST(FindPlaces, ACollarGoesAroundTheNeckHoweverItIsDrawn) {
+  const DistanceGrid skin{SurfaceDistance(body().surface)};
+  const Vec3 neck = body().skeleton.joint("neck");
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    PanelMesh garment = meshed(with_collar(quarters));
+    const auto places = by_name(place(garment));
+    EXPECT_EQ(text_of(places.at("k7")), "k7: torso, around") << quarters;
+    garment.placed = position_panels(garment, skin, &body().skeleton).placed;
+    // Its ends are in front, its middle is behind, and its seam lies below its free edge.
+    const auto collar = std::ranges::find(garment.panels, "k7", &MeshedPanel::name);
+    double seam = 0;
+    double edge = 0;
+    for (int p = collar->first_point; p < collar->first_point + collar->points; ++p) {
+      Vec2 upright = garment.flat[p];
+      for (int i = 0; i < quarters; ++i) upright = {upright.y(), -upright.x()};
+      const Vec3 from_neck = garment.placed[p] - neck;
+      const double along = upright.x() - std::hypot(0.09, 0.1) - std::hypot(0.09, 0.022);
+      EXPECT_GT(from_neck.z() * (std::abs(along) - 0.11), -0.004) << quarters << ' ' << along;
+      EXPECT_LT(from_neck.norm(), 0.2);
+      if (upright.y() < 0.001) seam = std::max(seam, garment.placed[p].y());
+      if (upright.y() > 0.059) edge = std::max(edge, garment.placed[p].y());
+    }
+    EXPECT_GT(edge, seam + 0.03) << quarters;
   }
 }
 
