@@ -526,6 +526,8 @@ class Importer {
     panel.cut_outs = shape.cut_outs;
     panel.drill_holes = shape.drill_holes;
     panel.area = signed_area(shape.outline);
+    panel.is_symmetric = is_mirror_image(shape.outline, Vec2::UnitX()) ||
+                         is_mirror_image(shape.outline, Vec2::UnitY());
     panel.material = piece.material;
     if (shape.grain) {
       const Vec2 warp = shape.grain->to - shape.grain->from;

@@ -48,6 +48,7 @@ struct ImportedPanel {
   bool is_unfolded = false;        ///< drawn as a half
   bool is_of_pair = false;         ///< one of a left and a right one, drawn once
   std::optional<int> likely_fold;  ///< of one that is taken as whole: likely_fold() of its piece
+  bool is_symmetric = false;       ///< its own mirror image, along the grain or across
   std::vector<SeamSide> seams;     ///< of a piece that is a panel
   std::string left_out;            ///< as PatternPanel has it
   double area = 0;                 ///< square metres

@@ -118,10 +118,31 @@ TEST_F(ToileTry, UndecidedSeamsAreAReasonForThree) {
   EXPECT_NE(std::ranges::find(reasons, "undecided_seams"), reasons.end()) << reasons;
 }
 
-/// Halves without a mark of their fold, and one sleeve: their seams don't meet.
-TEST_F(ToileTry, PanelsThatNoSeamHoldsAreLaidAside) {
-  drawing = fs::path(TOILE_SOURCE_DIR) / "tests" / "io" / "drawings" / "halves.dxf";
+/// Halves without a mark of their fold, and one sleeve.
+const fs::path halves = fs::path(TOILE_SOURCE_DIR) / "tests" / "io" / "drawings" / "halves.dxf";
+
+TEST_F(ToileTry, ADrawingOfHalfAGarmentIsMadeWhole) {
+  drawing = halves;
   const pipeline::Run done = try_on_body();
+  EXPECT_EQ(done.exit_code, 0) << done.out << done.err;
+  expect_six_lines(done.out);
+  EXPECT_NE(done.out.find("halves: Detail_2, Detail_3, Detail_4 unfolded"), std::string::npos)
+      << done.out;
+  EXPECT_NE(done.out.find("--single Detail_2"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("pairs: Detail left and right"), std::string::npos) << done.out;
+  EXPECT_EQ(report()["verdict"], "sewn");
+  const Json stitches = Json::parse(read_text(out / "sewn.json"))["pattern"]["stitches"];
+  EXPECT_EQ(stitches.size(), 15);
+}
+
+/// As they are drawn, their seams don't meet.
+TEST_F(ToileTry, PanelsThatNoSeamHoldsAreLaidAside) {
+  drawing = halves;
+  std::vector<std::string> as_drawn;
+  for (const char* piece : {"Detail", "Detail_2", "Detail_3", "Detail_4"}) {
+    as_drawn.insert(as_drawn.end(), {"--single", piece});
+  }
+  const pipeline::Run done = try_on_body(as_drawn);
   EXPECT_EQ(done.exit_code, 3) << done.err;
   expect_six_lines(done.out);
   EXPECT_NE(done.out.find("--unfold Detail_2:5 --unfold Detail_3:5"), std::string::npos)
@@ -143,8 +164,18 @@ TEST_F(ToileTry, PanelsThatNoSeamHoldsAreLaidAside) {
   EXPECT_NE(done.out.find(line + " sewn to nothing of the rest, laid aside"), std::string::npos)
       << done.out;
   // A panel with a place of its own needs no seam.
-  const pipeline::Run placed = try_on_body({"--place", aside.front() + "=torso:front"});
+  as_drawn.insert(as_drawn.end(), {"--place", aside.front() + "=torso:front"});
+  const pipeline::Run placed = try_on_body(as_drawn);
   EXPECT_EQ(placed.out.find(line), std::string::npos) << placed.out;
+}
+
+TEST_F(ToileTry, AGarmentIsSewnThoughASparePieceIsLeft) {
+  add_to_drawing("<path class=\"fabric\" id=\"tab\" d=\"M 3000 0 h 40 v 90 h -40 z\"/>");
+  const pipeline::Run done = try_on_body();
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  EXPECT_NE(done.out.find("tab sewn to nothing of the rest"), std::string::npos) << done.out;
+  EXPECT_EQ(report()["verdict"], "sewn") << done.out;
+  EXPECT_EQ(report()["reason"], Json::array({"loose_panels"}));
 }
 
 TEST_F(ToileTry, AStepThatFailsSaysWhatWasTakenAndNoReportIsThere) {

@@ -14,6 +14,7 @@
 #include "pattern/import/drawing_format.h"
 #include "pattern/import/repair_pattern.h"
 #include "pattern/import/svg_pieces.h"
+#include "pattern/import/whole_garment.h"
 #include "tools/import_pattern/report.h"
 #include "tools/remarks.h"
 #include "tools/report.h"
@@ -124,6 +125,15 @@ ImportedFile import_drawing(const std::string& text, const std::string& name,
   } else {
     end.drawing = read_drawing(format, text, name, settings.drawn);
     end.pattern = import_pieces(end.drawing, settings.pieces, remarks);
+    if (settings.makes_whole) {
+      const ImportOptions whole = whole_garment(end.pattern, settings.pieces);
+      end.is_made_whole =
+          whole.unfold != settings.pieces.unfold || whole.pairs != settings.pieces.pairs;
+      if (end.is_made_whole) {
+        remarks.clear();
+        end.pattern = import_pieces(end.drawing, whole, remarks);
+      }
+    }
     content = content_of(end.pattern, output, remarks);
     imported.panels = end.pattern.panels.size();
   }

@@ -16,6 +16,7 @@ struct ImportPatternSettings {
   std::filesystem::path drawing;
   DrawingOptions drawn;
   ImportOptions pieces;
+  bool makes_whole = false;  ///< a whole garment of a drawing of half of one, see whole_garment()
   std::vector<std::string> of_drawings;  ///< options that were given and mean nothing to a JSON
 };
 
@@ -29,6 +30,7 @@ void read_import_options(const boost::program_options::variables_map& given,
 struct ImportEnd {
   PieceDrawing drawing;     ///< without pieces: it was a JSON, which is a pattern already
   ImportedPattern pattern;  ///< without panels: the same
+  bool is_made_whole = false;
 };
 
 /// A pattern, and where it came from.

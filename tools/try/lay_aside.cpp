@@ -29,8 +29,7 @@ std::vector<std::size_t> parts_of(const Pattern& pattern) {
 
 }  // namespace
 
-std::vector<LeftOut> lay_aside(const std::filesystem::path& file,
-                               const std::set<std::string>& placed) {
+LaidAside lay_aside(const std::filesystem::path& file, const std::set<std::string>& placed) {
   const std::string text = read_file(file);
   std::vector<Remark> told_before;
   const Pattern pattern = parse_pattern(text, file.string(), told_before);
@@ -49,15 +48,18 @@ std::vector<LeftOut> lay_aside(const std::filesystem::path& file,
   }
   const auto largest = std::ranges::max_element(areas, {}, [](const auto& a) { return a.second; });
   if (largest != areas.end()) stays.insert(largest->first);
-  std::vector<LeftOut> aside;
-  aside.reserve(part.size());
+  LaidAside aside;
+  double area = 0;
+  for (const std::size_t p : stays) area += areas[p];
   for (std::size_t p = 0; p < part.size(); ++p) {
     const PatternPanel& panel = pattern.panels[p];
     if (!panel.left_out.empty() || stays.contains(part[p])) continue;
-    aside.push_back({panel.name, "sewn to nothing of the rest"});
-    kinds[panel.name] = aside.back().kind;
+    aside.panels.push_back({panel.name, "sewn to nothing of the rest"});
+    aside.largest =
+        std::max(aside.largest, std::abs(signed_area(outline_polygon(panel).points)) / area);
+    kinds[panel.name] = aside.panels.back().kind;
   }
-  if (aside.empty()) return aside;
+  if (aside.panels.empty()) return aside;
   OutputFiles files;
   write_file(files.at(file), with_left_out(text, file.string(), kinds));
   files.commit();

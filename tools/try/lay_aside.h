@@ -10,10 +10,15 @@
 
 namespace toile {
 
+/// Panels that are laid aside.
+struct LaidAside {
+  std::vector<LeftOut> panels;
+  double largest = 0;  ///< area of the largest of them, as a share of what stays
+};
+
 /// Writes a pattern file anew, leaving out what is not sewn to its largest part by area. Parts with
-/// a panel in `placed` stay: they need no seam to have a place. Returns the panels that are newly
-/// left out; without any, the file stays as it is. Throws Error for a file that is no pattern.
-std::vector<LeftOut> lay_aside(const std::filesystem::path& file,
-                               const std::set<std::string>& placed);
+/// a panel in `placed` stay: they need no seam to have a place. Returns what is newly left
+/// out; without any, the file stays as it is. Throws Error for a file that is no pattern.
+LaidAside lay_aside(const std::filesystem::path& file, const std::set<std::string>& placed);
 
 }  // namespace toile

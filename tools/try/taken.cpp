@@ -79,13 +79,18 @@ Taken grain_of(const ImportEnd& imported) {
 Taken halves_of(const ImportEnd& imported) {
   WordList unfolded, whole, options(" ");  // options as a shell takes them
   for (const ImportedPanel& panel : imported.pattern.panels) {
-    if (panel.is_unfolded) unfolded.add(panel.asked);
+    if (panel.is_unfolded) {
+      unfolded.add(panel.asked);
+      if (imported.is_made_whole) options.add("--single " + shell_word(panel.asked));
+    }
     if (!panel.likely_fold) continue;
     whole.add(panel.asked);
     options.add("--unfold " + shell_word(panel.asked + ":" + std::to_string(*panel.likely_fold)));
   }
   return {"halves",
-          joined({said(unfolded, "", " unfolded"),
+          joined({said(unfolded, "",
+                       imported.is_made_whole ? " unfolded, for half a garment seems to be drawn"
+                                              : " unfolded"),
                   said(whole, "", " taken as whole, with a straight edge like a fold's")},
                  "none"),
           options.empty() ? "--unfold PIECE:EDGE" : options.text()};
