@@ -46,26 +46,33 @@ bool are_twins(const ImportedPanel& a, const ImportedPanel& b) {
 ImportOptions whole_garment(const ImportedPattern& drawn, const ImportOptions& given) {
   ImportOptions whole = given;
   if (!given.unfold.empty() || !given.pairs.empty()) return whole;
+  bool says_how = false;
+  bool has_half = false;
   double area = 0;
   double symmetric = 0;
+  std::vector<const ImportedPanel*> lopsided;
   for (const ImportedPanel& panel : drawn.panels) {
-    if (panel.is_unfolded || panel.is_of_pair || panel.quantity > 1) return whole;
+    says_how = says_how || panel.is_unfolded || panel.is_of_pair || panel.quantity > 1;
+    has_half = has_half || panel.likely_fold;
     area += panel.area;
     if (panel.is_symmetric) symmetric += panel.area;
-  }
-  const bool has_half = std::ranges::any_of(
-      drawn.panels, [](const ImportedPanel& panel) { return panel.likely_fold.has_value(); });
-  if (!has_half || symmetric > most_symmetric * area) return whole;
-  for (const ImportedPanel& panel : drawn.panels) {
+    if (panel.is_symmetric || panel.is_of_pair || panel.quantity > 1) continue;
+    if (std::ranges::count(given.singles, panel.asked) > 0) continue;
     const bool has_twin = std::ranges::any_of(drawn.panels, [&](const ImportedPanel& other) {
       return &other != &panel && are_twins(panel, other);
     });
-    if (panel.is_symmetric || has_twin) continue;
-    if (std::ranges::count(given.singles, panel.asked) > 0) continue;
-    if (panel.likely_fold) {
-      whole.unfold.push_back(panel.asked + ":" + std::to_string(*panel.likely_fold));
+    if (!has_twin) lopsided.push_back(&panel);
+  }
+  if (says_how) {
+    if (lopsided.size() == 1) whole.pairs.push_back(lopsided[0]->asked);
+    return whole;
+  }
+  if (!has_half || symmetric > most_symmetric * area) return whole;
+  for (const ImportedPanel* panel : lopsided) {
+    if (panel->likely_fold) {
+      whole.unfold.push_back(panel->asked + ":" + std::to_string(*panel->likely_fold));
     } else {
-      whole.pairs.push_back(panel.asked);
+      whole.pairs.push_back(panel->asked);
     }
   }
   return whole;

@@ -58,6 +58,11 @@ TEST(WholeGarment, WhatTheDrawingSaysHolds) {
   PieceDrawing drawing = half_a_shirt();
   drawing.pieces[1].quantity = 2;
   EXPECT_EQ(whole(drawing).unfold, Words{});
+  // The front alone is neither symmetric nor one of two, and is not said to be folded.
+  EXPECT_EQ(whole(drawing).pairs, Words{"front"});
+  // Of two, nobody knows.
+  drawing.pieces.push_back(piece("pocket", {{5, 0}, {5.2, 0}, {5.25, 0.3}, {5, 0.2}}));
+  EXPECT_EQ(whole(drawing).pairs, Words{});
 }
 
 TEST(WholeGarment, LeftAndRightFrontsAndAWholeBackAreWhole) {
