@@ -8,8 +8,15 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 FABRICS = {"default"} | {file.stem for file in (ROOT / "cloth/scene/fabrics").glob("*.json")}
 POSES = {"walking", "sitting", "reaching"}
-# Columns of the table that are no columns of a manifest of `toile batch`.
-OWN = ("name", "body", "pattern", "edge_length", "fabric", "options", "pose")
+OWN = ("name", "body", "pattern", "size", "fabric", "edge_length", "pose", "options")
+# Columns that the table of results has besides.
+RESULTS = ("verdict", "cause", "detail", "fit", "strain_p99", "bust_ease_cm", "waist_ease_cm", "hip_ease_cm", "attempts",
+           "nodes", "worst_level", "worst_ease_cm", "plus_minus_ease_cm", "off_level", "off_cm", "best", "version",
+           "executable_sha256", "pattern_sha256", "body_sha256", "fabric_sha256", "dressed_sha256", "seconds", "peak_MiB",
+           "page", "shard", "body_height_cm", "body_bust_cm", "body_waist_cm", "body_hip_cm")
+# Of a folder of `toile batch`, besides the garments' folders.
+TAKEN = ("bodies", "results.csv", "index.html", "summary.md")
+MAX_TOLD = 50
 
 
 class TableError(Exception):
@@ -37,15 +44,16 @@ class Population:
         try:
             with open(table, newline="", encoding="utf-8-sig") as file:
                 reader = csv.DictReader(file, strict=True)
+                self._check_columns(reader.fieldnames or [])
                 for fields in reader:
                     self._add(reader.line_num, fields, edge_length)
         except (OSError, UnicodeDecodeError, csv.Error) as error:
             raise TableError(f"{table}: can't be read: {error}") from None
         if not self.rows and not self.wrong:
-            self.wrong = [f"{table}: holds no garment; give a first line with the names of the columns (body, pattern, "
-                          "size, fabric, edge_length, pose, name), then a line for each garment"]
+            self.wrong = [f"{table}: holds no garment; give a line for each below the names of the columns"]
         if self.wrong:
-            raise TableError("\n".join(self.wrong))
+            more = len(self.wrong) - MAX_TOLD
+            raise TableError("\n".join(self.wrong[:MAX_TOLD] + ([f"and {more} more"] if more > 0 else [])))
         for row in self.rows:
             bodies = key(row["body"], row["pose"])
             if shards:
@@ -54,6 +62,16 @@ class Population:
         self.shards = {f"{hashlib.sha256(bodies.encode()).hexdigest()[:2]}/{bodies}-{start // rows_per_shard}":
                        rows[start:start + rows_per_shard]
                        for bodies, rows in self.shards.items() for start in range(0, len(rows), rows_per_shard)}
+
+    def _check_columns(self, columns):
+        self.other_columns = [column for column in columns if column not in OWN]
+        for column in ("body", "pattern"):
+            if column not in columns:
+                raise TableError(f"{self.table}:1: there is no column '{column}'; the first line names the columns: "
+                                 f"body, pattern, and if wanted {', '.join(column for column in OWN if column not in ('body', 'pattern'))}")
+        for column in columns:
+            if columns.count(column) > 1 or column in RESULTS:
+                raise TableError(f"{self.table}:1: column '{column}' is there twice, or is one of the results; rename it")
 
     def _file(self, line, what, name):
         """The path of a file that a row names; told where it is not there."""
@@ -71,11 +89,11 @@ class Population:
         for column in ("body", "pattern"):
             if not fields.get(column):
                 return tell(f"names no {column}; fill column '{column}'")
-        row = {column: fields.get(column) or "" for column in (*OWN, "size")}
+        row = {column: fields.get(column) or "" for column in OWN}
+        row["others"] = {column: fields[column] for column in self.other_columns}
         row["line"], row["files"] = line, []
-        row["others"] = {column: value for column, value in fields.items() if column not in row}
         row["edge_length"] = row["edge_length"] or edge_length
-        if not re.fullmatch(r"[0-9.]+ *(mm|cm|m|in)", row["edge_length"]):
+        if not re.fullmatch(r"(\d+\.?\d*|\.\d+) *(mm|cm|m|in)", row["edge_length"]):
             tell(f"edge length '{row['edge_length']}' is no length with its unit; write 10mm, say")
         row["body_file"] = self._file(line, "body", row["body"])
         row["pattern_file"] = self._file(line, "pattern", row["pattern"])
@@ -114,7 +132,7 @@ class Population:
             size = "" if re.search(rf"[_.\- ]{re.escape(row['size'])}$", stem) else row["size"]
             words = [pathlib.Path(row["body"]).stem, stem, size, row["fabric"], pathlib.Path(row["pose"]).stem]
             row["name"] = re.sub(r"[^\w.-]+", "-", "_".join(filter(None, words)))
-        if not re.fullmatch(r"[^./\\][^/\\]{0,199}", row["name"]) or row["name"].lower() == "bodies":
+        if not re.fullmatch(r"[^./\\][^/\\]{0,199}", row["name"]) or row["name"].lower() in TAKEN:
             tell(f"'{row['name']}' is no name for a garment; give one without slashes or a leading dot")
         other = self._line_of_name.setdefault(row["name"].lower(), line)
         if other != line:

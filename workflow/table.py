@@ -7,12 +7,12 @@ import json
 import os
 import pathlib
 
-FIGURES = ("fit", "strain_p99", "bust_ease_cm", "waist_ease_cm", "hip_ease_cm", "attempts", "nodes")
-COMPARED = ("worst_level", "worst_ease_cm", "plus_minus_ease_cm", "off_level", "off_cm", "best")
+from population import OWN, RESULTS
+
 BODY = ("height", "bust", "waist", "hip")
 PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>
 <style>body{{font:14px/1.5 sans-serif;margin:2em;max-width:70em}} table{{border-collapse:collapse;margin:1em 0}}
-td,th{{padding:.2em .7em;border-bottom:1px solid #ccc;text-align:left}} td.n{{text-align:right}}</style>
+td,th{{padding:.2em .7em;border-bottom:1px solid #ccc;text-align:left}}</style>
 <h1>{title}</h1>{body}</html>
 """
 
@@ -43,18 +43,14 @@ def table_row(population, row, report):
     out, inputs, figures = population.out, report.get("inputs", {}), report.get("figures", {})
     checksum = lambda files: " ".join(file["sha256"] or "" for file in files)
     page = out / "shards" / report["shard"] / "batch" / row["name"] / "ease.html"
-    line = {column: row[column] for column in ("name", "body", "pattern", "size", "fabric", "edge_length", "pose", "options")}
-    line |= row["others"]
-    line |= {column: report.get(column, "") for column in ("verdict", "cause", "detail")}
-    line |= {column: figures.get(column, "") for column in FIGURES}
-    line |= {column: report.get("compared", {}).get(column, "") for column in COMPARED}
-    line |= {"version": report.get("version", ""), "executable_sha256": report.get("executable_sha256", ""),
-             "pattern_sha256": checksum([inputs["pattern"]]) if inputs else "",
+    line = {column: row[column] for column in OWN} | row["others"]
+    told = (report, figures, report.get("compared", {}))
+    line |= {column: next((each[column] for each in told if column in each), "") for column in RESULTS}
+    line |= {"pattern_sha256": checksum([inputs["pattern"]]) if inputs else "",
              "body_sha256": checksum([inputs["body"]]) if inputs else "",
              "fabric_sha256": checksum(inputs.get("fabrics", [])),
              "dressed_sha256": report.get("outputs", {}).get("dressed.obj", ""),
-             "seconds": report.get("seconds", ""), "peak_MiB": report.get("peak_MiB", ""),
-             "page": os.path.relpath(page, out) if page.exists() else "", "shard": report["shard"]}
+             "page": os.path.relpath(page, out) if page.exists() else ""}
     measures = {each["name"]: each["value"] for each in read_table(out / "bodies" / f"{row['body_key']}.csv")}
     line |= {f"body_{name}_cm": measures.get(name, "") for name in BODY}
     points = read_table(out / "patterns" / f"{row['pattern_key']}.csv")
@@ -62,7 +58,11 @@ def table_row(population, row, report):
 
 
 def html_table(header, rows):
-    cell = lambda value: f"<td>{value}</td>" if str(value).startswith("<a ") else f"<td>{html.escape(str(value))}</td>"
+    def cell(value):
+        text, page = value if isinstance(value, tuple) else (value, "")
+        text = html.escape(str(text))
+        return f"<td><a href='{html.escape(page)}'>{text}</a></td>" if page else f"<td>{text}</td>"
+
     return ("<table><tr>" + "".join(f"<th>{html.escape(name)}</th>" for name in header) + "</tr>" +
             "".join("<tr>" + "".join(map(cell, row)) + "</tr>\n" for row in rows) + "</table>")
 
@@ -76,8 +76,7 @@ def summary(table):
         body += "<h2>Not sewn</h2>" + html_table(
             ["verdict", "cause", "garments"], [[*cause, number] for cause, number in causes.most_common(30)])
         body += html_table(["garment", "verdict", "what"], [
-            [f"<a href='{html.escape(row['page'])}'>{html.escape(row['name'])}</a>" if row["page"] else row["name"],
-             row["verdict"], row["detail"]] for row in table if row["verdict"] != "sewn"][:300])
+            [(row["name"], row["page"]), row["verdict"], row["detail"]] for row in table if row["verdict"] != "sewn"][:300])
     sizes = collections.defaultdict(collections.Counter)
     for row in table:
         sizes[row["pattern"], row["fabric"]][row["size"], row["best"] == "yes"] += 1

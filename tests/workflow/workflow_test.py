@@ -77,7 +77,8 @@ class WorkflowTest(unittest.TestCase):
         program("dress", "--body", at / "body.ply", at / "garment.obj", "-o", at / "dressed.obj", "--quality", "draft", *words)
         return hashlib.sha256((at / "dressed.obj").read_bytes()).hexdigest()
 
-    def test_a_wrong_table_is_told_whole_before_anything_runs(self):
+    def test_wrong_table(self):
+        """It is told whole before anything runs."""
         ended = self.run_workflow([ROWS[0], ROWS[0], "body.ply,gone.json,,40mm,,,", "body.ply,band.json,velvet,40 miles,,,", "body.ply"])
         self.assertEqual(ended.returncode, 1)
         for told in ("samples.csv:3: 'body_band' is the name of line 2, too",
@@ -89,7 +90,8 @@ class WorkflowTest(unittest.TestCase):
         self.assertNotIn("Traceback", ended.stdout)
         self.assertFalse((self.folder / "population").exists())
 
-    def test_a_pattern_that_does_not_mesh_is_told_before_anything_is_dressed(self):
+    def test_pattern_that_does_not_mesh(self):
+        """It is told before anything is dressed."""
         pattern = json.loads((self.folder / "band.json").read_text())
         corners = pattern["pattern"]["panels"]["front"]["vertices"]
         corners[0], corners[1] = corners[1], corners[0]
@@ -104,7 +106,8 @@ class WorkflowTest(unittest.TestCase):
         self.assertEqual({name: row["verdict"] for name, row in self.table().items()},
                          {"body_band": "sewn", "body_crossed": "error"})
 
-    def test_sizes_come_from_a_graded_drawing(self):
+    def test_graded_drawing(self):
+        """Sizes come from it."""
         draw_graded(self.folder, self.folder / "band.json", {"36": 1.0, "38": 1.04})
         rows = [f"body.ply,graded.dxf,,40mm,--quality draft,,{size}" for size in ("36", "38", "40")]
         ended = self.run_workflow(rows)
@@ -115,7 +118,22 @@ class WorkflowTest(unittest.TestCase):
         self.assertEqual([(row["size"], row["verdict"], row["half top edge cm"]) for row in self.table().values()],
                          [("36", "sewn", "36.33"), ("38", "sewn", "37.78")])
 
-    def test_every_row_is_in_the_table_and_only_what_changed_is_done_again(self):
+    def test_shard_that_fails(self):
+        """It is told in the table and tried again."""
+        planned = self.run_workflow(ROWS[:1], "--dry-run").stdout
+        in_the_way = self.folder / re.search(r"output: (population/shards/.*)\.jsonl", planned)[1]
+        in_the_way.parent.mkdir(parents=True)
+        in_the_way.write_text("where the shard's folder should be")
+        ended = self.run_workflow(ROWS[:1])
+        self.assertEqual(ended.returncode, 1)
+        self.assertEqual(self.table()["body_band"]["cause"], "shard: did not end")
+        in_the_way.unlink()
+        ended = self.run_workflow(ROWS[:1])
+        self.assertEqual(ended.returncode, 0, ended.stdout)
+        self.assertEqual(self.table()["body_band"]["verdict"], "sewn")
+
+    def test_what_changed(self):
+        """Every row is in the table, and only what changed is done again."""
         planned = self.run_workflow(ROWS, "--dry-run")
         self.assertEqual(planned.returncode, 0, planned.stdout)
         self.assertRegex(planned.stdout, r"\nshard +1 ")
@@ -149,14 +167,16 @@ class WorkflowTest(unittest.TestCase):
         self.assertNotEqual(self.drape("body_band_denim").stat().st_mtime_ns, denim)
         self.assertEqual(self.table()["body_band_broken.json"]["dressed_sha256"], self.table()["body_band_jersey"]["dressed_sha256"])
 
-        # What was lost is done again, in the same bits; rows that are gone leave nothing.
+        # What was lost is done again, in the same bits.
         before = self.table()
         shutil.rmtree(self.drape("body_band_denim").parent)
         next(self.folder.glob("population/shards/*/*.jsonl")).unlink()
-        self.run_workflow(changed[:3])
-        self.assertEqual(list(self.table()), list(before)[:3])
+        self.run_workflow(changed)
         self.assertEqual(self.table()["body_band_denim"]["dressed_sha256"], before["body_band_denim"]["dressed_sha256"])
         self.assertEqual(self.drape("body_band").stat().st_mtime_ns, plain)
+        # Rows that are gone leave nothing.
+        self.run_workflow(changed[:3])
+        self.assertEqual(list(self.table()), list(before)[:3])
         self.assertFalse(list(self.folder.glob("population/shards/*/*/batch/body_band_jersey")))
 
 
