@@ -8,7 +8,6 @@ import shutil
 import subprocess
 import sys
 
-
 # Of errors that are not the garment's: the row is tried again.
 FULL = ("is the disk full?", "No space left")
 KILLED = ("ended by signal 9",)
