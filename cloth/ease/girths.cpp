@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "geometry/body/bones.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/body/trunk_levels.h"
 #include "geometry/slice.h"
@@ -13,10 +15,11 @@ namespace toile {
 
 namespace {
 
-/// Metres: steps in which a thigh is looked for below the crotch of trousers, and their count: down
-/// to 6.5 cm. The sample trousers' thigh is found 0 to 4 cm down. Half and double were not tried.
-constexpr double thigh_step = 0.005;
-constexpr int thigh_steps = 14;
+/// Metres: steps in which a girth is looked for below its level, and their count: down to 6.5 cm.
+/// Above, the line may run around more than its part. At the crotch of trousers that is both
+/// thighs, and where sleeves hang low the arms. The sample trousers' thigh is found 0 to 4 cm down.
+constexpr double search_step = 0.005;
+constexpr int search_steps = 14;
 
 /// "left thigh" of "left_upper_thigh".
 std::string row_name(std::string measure) {
@@ -44,10 +47,12 @@ std::string other_side(const std::string& name) {
 
 class GirthTaker {
  public:
-  GirthTaker(const DressedGarment& garment, const TriangleMesh& body, const GirthOptions& options)
+  GirthTaker(const DressedGarment& garment, const TriangleMesh& body, const Skeleton& skeleton,
+             const GirthOptions& options)
       : garment_(garment),
         cloth_{garment.points, garment.triangles},
         body_(body),
+        arms_{Bones(skeleton, BodyPart::left_arm), Bones(skeleton, BodyPart::right_arm)},
         options_(options) {}
 
   /// The row of a section of the garment.
@@ -69,15 +74,25 @@ class GirthTaker {
     return girth;
   }
 
-  /// At a height of the trunk; a reason where there is none.
+  /// At a height of the trunk, of a named level below it where its line runs around the arms; a
+  /// reason where there is none.
   std::pair<std::optional<Girth>, GirthLeftOut> around_trunk(const std::string& name,
                                                              double height) const {
     const std::optional<Section> torso = torso_section(body_, height);
     if (!torso) return {{}, {name, "the body's surface is open there", false, height}};
-    const CuttingPlane plane{{0, height, 0}, Vec3::UnitY()};
-    const std::vector<Section> sections = slice(cloth_, plane.origin, plane.normal);
-    const auto around = outermost(sections, torso->centroid, plane.normal);
-    if (around == sections.end()) {
+    bool is_over_arms = false;
+    for (int i = 0; i < (name.empty() ? 1 : search_steps); ++i) {
+      const CuttingPlane plane{{0, height - search_step * i, 0}, Vec3::UnitY()};
+      const std::vector<Section> sections = slice(cloth_, plane.origin, plane.normal);
+      const auto around = outermost(sections, torso->centroid, plane.normal);
+      if (around != sections.end()) {
+        is_over_arms = goes_around_arm(*around, plane.origin.y());
+        if (is_over_arms) continue;
+        Girth girth = row(name, plane, torso->girth, *around);
+        girth.is_of_trunk = true;
+        return {std::move(girth), {}};
+      }
+      if (is_over_arms) break;
       const bool is_open = !sections.empty();
       return {{},
               {name,
@@ -85,9 +100,7 @@ class GirthTaker {
                        : "the garment does not reach it",
                is_open, height}};
     }
-    Girth girth = row(name, plane, torso->girth, *around);
-    girth.is_of_trunk = true;
-    return {std::move(girth), {}};
+    return {{}, {name, "its line there runs around the arms", false, height}};
   }
 
   /// Around a limb or the neck, or around both legs. `other` is the same place of the other limb.
@@ -122,6 +135,19 @@ class GirthTaker {
   }
 
  private:
+  /// Whether an arm passes through a level section, as where sleeves hang as low.
+  bool goes_around_arm(const Section& section, double height) const {
+    return std::ranges::any_of(arms_, [&](const Bones& arm) {
+      for (std::size_t i = 0; i + 1 < arm.joints.size(); ++i) {
+        const Vec3& a = arm.joints[i];
+        const Vec3& b = arm.joints[i + 1];
+        if ((a.y() > height) == (b.y() > height)) continue;
+        const Vec3 at = a + (height - a.y()) / (b.y() - a.y()) * (b - a);
+        if (contains(section, at, Vec3::UnitY())) return true;
+      }
+      return false;
+    });
+  }
   /// The largest section around the point; they are in falling area.
   static std::vector<Section>::const_iterator outermost(const std::vector<Section>& sections,
                                                         const Vec3& point, const Vec3& normal) {
@@ -164,6 +190,7 @@ class GirthTaker {
   const DressedGarment& garment_;
   TriangleMesh cloth_;
   const TriangleMesh& body_;
+  std::array<Bones, 2> arms_;
   const GirthOptions& options_;
 };
 
@@ -207,7 +234,7 @@ Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
   for (const double height : options.heights) levels.push_back({"", height});
   std::ranges::stable_sort(levels, std::ranges::greater{}, &NamedLevel::height);
 
-  const GirthTaker taker(garment, body, options);
+  const GirthTaker taker(garment, body, skeleton, options);
   for (const NamedLevel& level : levels) {
     auto [girth, why_not] = taker.around_trunk(level.name, level.height);
     if (girth) {
@@ -224,8 +251,8 @@ Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
     std::optional<Vec3> other;
     if (is_leg && pair != limbs.end()) other = pair->origin;
     std::optional<Girth> girth;
-    for (int i = 0; i < (limb.name.ends_with(" thigh") ? thigh_steps : 1); ++i) {
-      const Vec3 down(0, -thigh_step * i, 0);
+    for (int i = 0; i < (limb.name.ends_with(" thigh") ? search_steps : 1); ++i) {
+      const Vec3 down(0, -search_step * i, 0);
       std::optional<Vec3> beside;
       if (other) beside = *other + down;
       std::optional<Girth> found =

@@ -79,7 +79,8 @@ struct GirthOptions {
 ///
 /// - `measures` are standing_measures(). Where they are empty, bust, waist and hip alone have
 /// names.
-/// - Where trousers' crotch hangs below the thigh's plane, the thigh is taken below it.
+/// - Where trousers' crotch hangs below the thigh's plane, the thigh is taken below it. So is the
+///   bust below the armholes, where sleeves hang lower than it.
 /// - Cloth that is too small stretches until it goes around. Its ease is positive, and `as_cut` is
 ///   less than the body's girth.
 /// - A section of cloth that hangs in slanting folds is longer than the cloth is wide. So `garment`

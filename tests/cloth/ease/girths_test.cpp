@@ -133,6 +133,30 @@ TEST(Girths, ALevelThatIsLeftOutSaysWhy) {
   EXPECT_FALSE(girths.left_out[0].is_open);
 }
 
+TEST(Girths, WhereTheLineRunsAroundAnArmItIsTakenBelow) {
+  Skeleton skeleton = joints();
+  skeleton.joints["left_shoulder"] = {0.2, 1.4, 0};
+  skeleton.joints["left_elbow"] = {0.24, 1.28, 0};
+  skeleton.joints["left_wrist"] = {0.5, 1.0, 0};
+  skeleton.segments = {{"left_arm", "left_shoulder", "left_elbow"},
+                       {"left_arm", "left_elbow", "left_wrist"}};
+  const TriangleMesh body = torso(200);
+  const DressedGarment tube = test::cloth_tube(0.25, 0.25, 0.7, 1.45, 200, 15);
+  const Girths girths = measure_girths(tube, body, skeleton, {});
+  const Girth* bust = level(girths, "bust");
+  ASSERT_NE(bust, nullptr);
+  // The arm comes out of the tube 1.1 cm below the elbow. The bust is at 1.30.
+  EXPECT_NEAR(bust->height, 1.265, 0.005);
+  EXPECT_NEAR(bust->body, level(measure_girths(tube, body, joints(), {}), "bust")->body, 1e-9);
+  // An arm that hangs straight down stays within.
+  skeleton.joints["left_wrist"] = {0.24, 0.9, 0};
+  const Girths under_a_cape = measure_girths(tube, body, skeleton, {});
+  EXPECT_EQ(level(under_a_cape, "bust"), nullptr);
+  ASSERT_FALSE(under_a_cape.left_out.empty());
+  EXPECT_EQ(under_a_cape.left_out[0].name, "bust");
+  EXPECT_EQ(under_a_cape.left_out[0].why, "its line there runs around the arms");
+}
+
 TEST(Girths, FromTheTopDown) {
   const auto girths =
       measure_girths(test::cloth_tube(0.25, 0.25, 0.7, 1.45, 40, 15), torso(60), joints(), {});
