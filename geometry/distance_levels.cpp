@@ -1,8 +1,10 @@
 #include "geometry/distance_levels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
+
+#include "geometry/triangle_tree.h"
 
 namespace toile {
 
@@ -24,6 +26,48 @@ double spline_reach(double cell) { return 1.5 * std::sqrt(3.0) * cell; }
 
 int floor_by(int value, int divisor) {
   return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
+}
+
+/// A place in a cell of the next coarser level.
+struct InCell {
+  std::array<double, 8> weights;  ///< of the cell's corners
+  std::array<double, 8> away;     ///< cells to each of them; infinite where the weight is 0
+};
+
+const InCell& in_cell(const NodeValues::Index& node) {
+  static const std::array<InCell, cube_nodes> places = [] {
+    std::array<InCell, cube_nodes> all;
+    for (std::size_t i = 0; i < cube_nodes; ++i) {
+      const std::array<std::size_t, 3> steps = {i % coarsening, i / coarsening % coarsening,
+                                                i / coarsening / coarsening};
+      for (std::size_t corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        double squared = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const double along = static_cast<double>(steps[axis]) / coarsening;
+          const double beside = (corner >> axis & 1) != 0 ? 1 - along : along;
+          weight *= 1 - beside;
+          squared += beside * beside;
+        }
+        all[i].weights[corner] = weight;
+        all[i].away[corner] =
+            weight == 0 ? std::numeric_limits<double>::infinity() : std::sqrt(squared);
+      }
+    }
+    return all;
+  }();
+  std::size_t place = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const int step = node[axis] - coarsening * floor_by(node[axis], coarsening);
+    place = place * coarsening + static_cast<std::size_t>(step);
+  }
+  return places[place];
+}
+
+/// The next coarser level's cell that a node lies in.
+NodeValues::Index cell_of(const NodeValues::Index& node) {
+  return {floor_by(node[0], coarsening), floor_by(node[1], coarsening),
+          floor_by(node[2], coarsening)};
 }
 
 }  // namespace
@@ -52,30 +96,28 @@ double DistanceLevels::lower_bound(double distance, double cell, double band) {
   return std::max({band, far, once - interpolation_error(coarsening * middle)});
 }
 
-std::size_t DistanceLevels::Level::place(const Index& node) const {
-  // Nodes are stored by small cubes, so that neighbours share pages and cache lines.
-  std::size_t cube = 0;
-  std::size_t inside = 0;
-  for (int axis = 2; axis >= 0; --axis) {
-    const int from_first = node[axis] - first[axis];
-    cube = cube * (size[axis] / cube_side) + from_first / cube_side;
-    inside = inside * cube_side + from_first % cube_side;
-  }
-  return cube * cube_nodes + inside;
-}
+std::size_t DistanceLevels::Level::cubes() const { return nodes.count() / cube_nodes; }
 
-std::size_t DistanceLevels::Level::cubes() const {
-  return static_cast<std::size_t>(size[0]) * size[1] * size[2] / cube_nodes;
+std::size_t DistanceLevels::Level::place(std::size_t cube, std::size_t i) const {
+  Index node;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto along = static_cast<std::size_t>(nodes.size()[axis] / cube_side);
+    node[axis] = nodes.first()[axis] + cube_side * static_cast<int>(cube % along) +
+                 static_cast<int>(i % cube_side);
+    cube /= along;
+    i /= cube_side;
+  }
+  return nodes.place(node);
 }
 
 DistanceCache DistanceLevels::cache() const {
-  DistanceCache cache{levels_[0].cell, band_, levels_[0].first, levels_[0].size, {}};
+  DistanceCache cache{levels_[0].cell, band_, nodes().first(), nodes().size(), {}};
   for (std::size_t l = 0; l < levels; ++l) {
     for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
       DistanceCache::Cube cube{static_cast<int>(c), {}};
       bool any = false;
       for (std::size_t i = 0; i < cube_nodes; ++i) {
-        cube.values[i] = levels_[l].values[c * cube_nodes + i].load(std::memory_order_relaxed);
+        cube.values[i] = levels_[l].nodes.load(levels_[l].place(c, i));
         any |= cube.values[i] != 0;
       }
       if (any) cache.levels[l].push_back(cube);
@@ -85,8 +127,8 @@ DistanceCache DistanceLevels::cache() const {
 }
 
 bool DistanceLevels::restore(const DistanceCache& cache) {
-  if (cache.cell != levels_[0].cell || cache.band != band_ || cache.first != levels_[0].first ||
-      cache.size != levels_[0].size) {
+  if (cache.cell != levels_[0].cell || cache.band != band_ || cache.first != nodes().first() ||
+      cache.size != nodes().size()) {
     return false;
   }
   for (std::size_t l = 0; l < levels; ++l) {
@@ -97,10 +139,11 @@ bool DistanceLevels::restore(const DistanceCache& cache) {
     }
   }
   for (std::size_t l = 0; l < levels; ++l) {
+    const Level& level = levels_[l];
     for (const DistanceCache::Cube& cube : cache.levels[l]) {
-      std::atomic<float>* const values = &levels_[l].values[cube.number * cube_nodes];
       for (std::size_t i = 0; i < cube_nodes; ++i) {
-        if (cube.values[i] != 0) values[i].store(cube.values[i], std::memory_order_relaxed);
+        if (cube.values[i] == 0) continue;
+        level.nodes.store(level.place(static_cast<std::size_t>(cube.number), i), cube.values[i]);
       }
     }
   }
@@ -109,116 +152,122 @@ bool DistanceLevels::restore(const DistanceCache& cache) {
 
 void DistanceLevels::cover(const Index& first, const Index& size) {
   Index low = first;
-  Index high;
-  for (int axis = 0; axis < 3; ++axis) high[axis] = first[axis] + size[axis];
+  Index end;
+  for (int axis = 0; axis < 3; ++axis) end[axis] = first[axis] + size[axis];
   for (Level& level : levels_) {
-    Level covered;
-    covered.cell = level.cell;
-    covered.exact = level.exact;
-    covered.reach = level.reach;
-    std::size_t count = 1;
+    Index covered_size;
     for (int axis = 0; axis < 3; ++axis) {
-      covered.first[axis] = low[axis];
-      covered.size[axis] = coarsening * (floor_by(high[axis] - 1 - low[axis], coarsening) + 1);
-      count *= static_cast<std::size_t>(covered.size[axis]);
-      // The next level's nodes around all of these.
-      high[axis] = floor_by(low[axis] + covered.size[axis] - 1, coarsening) + 2;
-      low[axis] = floor_by(low[axis], coarsening);
+      // Whole cubes, then the next level's nodes around them.
+      const int first_cell = floor_by(low[axis], coarsening);
+      const int end_cell = floor_by(end[axis] - 1, coarsening) + 1;
+      low[axis] = coarsening * first_cell;
+      covered_size[axis] = coarsening * end_cell - low[axis];
+      end[axis] = end_cell + 1;
     }
-    // calloc() gives zeros, and pages that nobody writes to take no memory.
-    void* const memory = std::calloc(count, sizeof(std::atomic<float>));
-    if (memory == nullptr) throw std::bad_alloc();
-    covered.values.reset(static_cast<std::atomic<float>*>(memory));
-    for (int k = 0; k < level.size[2]; ++k) {
-      for (int j = 0; j < level.size[1]; ++j) {
-        for (int i = 0; i < level.size[0]; ++i) {
-          const Index node = {level.first[0] + i, level.first[1] + j, level.first[2] + k};
-          const float cached = level.values[level.place(node)];
-          if (cached != 0) covered.values[covered.place(node)] = cached;
+    NodeValues covered(low, covered_size);
+    low = cell_of(low);
+    const NodeValues& before = level.nodes;
+    for (int k = 0; k < before.size()[2]; ++k) {
+      for (int j = 0; j < before.size()[1]; ++j) {
+        for (int i = 0; i < before.size()[0]; ++i) {
+          const Index node = {before.first()[0] + i, before.first()[1] + j, before.first()[2] + k};
+          const float known = before.load(before.place(node));
+          if (known != 0) covered.store(covered.place(node), known);
         }
       }
     }
-    level = std::move(covered);
+    level.nodes = std::move(covered);
   }
 }
 
-float DistanceLevels::at(const Index& node, SurfacePoint& near) const { return at(0, node, near); }
+Vec3 DistanceLevels::point(std::size_t level, const Index& node) const {
+  return origin_ + levels_[level].cell * Vec3(node[0], node[1], node[2]);
+}
 
-void DistanceLevels::block_at(const Index& first, float* values) const {
-  const Level& finest = levels_[0];
-  // A place is the sum of what each axis adds to it.
-  std::size_t places[3][block_side];
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < block_side; ++i) {
-      Index node = finest.first;
-      node[axis] = first[axis] + i;
-      places[axis][i] = finest.place(node);
+void DistanceLevels::store(std::size_t level, std::size_t place, float value) const {
+  if (value == 0) value = std::numeric_limits<float>::min();
+  // Two threads may compute the same node. Their values are equal.
+  if (levels_[level].nodes.store(place, value) == 0) {
+    computed_.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+void DistanceLevels::compute_cube(const Index& node) const {
+  static_assert(coarsening == cube_side && cube_nodes <= TriangleTree::most_points);
+  const NodeValues& finest = nodes();
+  const Index cell = cell_of(node);
+  SurfacePoint near;  // a hint: neighbouring nodes have closest points near each other
+  const Corners around = corners(1, cell, near);
+  std::array<Vec3, cube_nodes> points;
+  std::array<std::size_t, cube_nodes> places;
+  std::size_t exact = 0;
+  for (int i = 0; i < static_cast<int>(cube_nodes); ++i) {
+    const Index one = {coarsening * cell[0] + i % cube_side,
+                       coarsening * cell[1] + i / cube_side % cube_side,
+                       coarsening * cell[2] + i / cube_side / cube_side};
+    const std::size_t place = finest.place(one);
+    if (finest.load(place) != 0) continue;
+    if (const std::optional<float> value = interpolated(0, one, around)) {
+      store(0, place, *value);
+    } else {
+      points[exact] = point(0, one);
+      places[exact++] = place;
     }
   }
-  SurfacePoint near;  // a hint: neighbouring nodes have closest points near each other
-  for (int k = 0; k < block_side; ++k) {
-    for (int j = 0; j < block_side; ++j) {
-      for (int i = 0; i < block_side; ++i) {
-        const std::size_t place = places[0][i] + places[1][j] + places[2][k];
-        *values = finest.values[place].load(std::memory_order_relaxed);
-        if (*values == 0) *values = at({first[0] + i, first[1] + j, first[2] + k}, near);
-        ++values;
-      }
-    }
+  if (exact == 0) return;
+  std::array<SurfacePoint, cube_nodes> found;
+  surface_.closest_points({points.data(), exact}, near, found.data());
+  for (std::size_t i = 0; i < exact; ++i) {
+    store(0, places[i], static_cast<float>(found[i].distance));
   }
 }
 
 float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& near) const {
-  std::atomic<float>& cached = levels_[level].values[levels_[level].place(node)];
-  float value = cached.load(std::memory_order_relaxed);
-  if (value != 0) return value;
-  // Two threads may compute the same node. Their values are equal.
-  value = compute(level, node, near);
-  if (value == 0) value = std::numeric_limits<float>::min();
-  if (cached.exchange(value, std::memory_order_relaxed) == 0) {
-    computed_.fetch_add(1, std::memory_order_relaxed);
+  const NodeValues& nodes = levels_[level].nodes;
+  const std::size_t place = nodes.place(node);
+  if (nodes.load(place) == 0) {
+    std::optional<float> value;
+    if (level + 1 < levels)
+      value = interpolated(level, node, corners(level + 1, cell_of(node), near));
+    if (!value) {
+      near = surface_.closest_point(point(level, node), near);
+      value = static_cast<float>(near.distance);
+    }
+    store(level, place, *value);
   }
-  return value;
+  return nodes.load(place);
 }
 
-float DistanceLevels::compute(std::size_t level, const Index& node, SurfacePoint& near) const {
-  if (level + 1 < levels) {
-    Index low;
-    double along[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = floor_by(node[axis], coarsening);
-      along[axis] = static_cast<double>(node[axis] - coarsening * low[axis]) / coarsening;
-    }
-    const double coarser = levels_[level + 1].cell;
-    double value = 0;
-    double sure = 0;  // metres: the surface is at least this far off, by the corners' distances
-    double side = 1;
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1;
-      double squared = 0;
-      Index there;
-      for (int axis = 0; axis < 3; ++axis) {
-        const int up = corner >> axis & 1;
-        there[axis] = low[axis] + up;
-        const double beside = up != 0 ? 1 - along[axis] : along[axis];
-        weight *= 1 - beside;
-        squared += beside * beside;
-      }
-      if (weight == 0) continue;
-      const double distance = at(level + 1, there, near);
-      value += weight * distance;
-      const double by_corner =
-          std::min(std::abs(distance), levels_[level + 1].exact) - coarser * std::sqrt(squared);
-      if (by_corner <= sure) continue;
-      sure = by_corner;
-      side = std::copysign(1.0, distance);
-    }
-    const Level& own = levels_[level];
-    if (sure >= own.exact && side * value >= own.reach) return static_cast<float>(value);
+DistanceLevels::Corners DistanceLevels::corners(std::size_t level, const Index& cell,
+                                                SurfacePoint& near) const {
+  Corners corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    Index node = cell;
+    for (int axis = 0; axis < 3; ++axis) node[axis] += corner >> axis & 1;
+    corners[corner] = at(level, node, near);
   }
-  const Vec3 point = origin_ + levels_[level].cell * Vec3(node[0], node[1], node[2]);
-  near = surface_.closest_point(point, near);
-  return static_cast<float>(near.distance);
+  return corners;
+}
+
+std::optional<float> DistanceLevels::interpolated(std::size_t level, const Index& node,
+                                                  const Corners& corners) const {
+  const Level& coarser = levels_[level + 1];
+  const InCell& place = in_cell(node);
+  double value = 0;
+  double sure = 0;  // metres: the surface is at least this far off, by the corners' distances
+  double side = 1;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const double distance = corners[corner];
+    value += place.weights[corner] * distance;
+    const double by_corner =
+        std::min(std::abs(distance), coarser.exact) - coarser.cell * place.away[corner];
+    if (by_corner <= sure) continue;
+    sure = by_corner;
+    side = std::copysign(1.0, distance);
+  }
+  const Level& own = levels_[level];
+  if (sure < own.exact || side * value < own.reach) return {};
+  return static_cast<float>(value);
 }
 
 }  // namespace toile

@@ -4,10 +4,10 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <memory>
+#include <optional>
 
 #include "geometry/distance_cache.h"
+#include "geometry/node_values.h"
 #include "geometry/surface_distance.h"
 #include "geometry/types.h"
 
@@ -18,10 +18,10 @@ namespace toile {
 /// are exact. Distances farther off are interpolated from the next coarser level.
 ///
 /// A node is computed on first use. Its value depends on surface, grid and node only. Only the
-/// pages of nodes in use take memory. Several threads may call at() at once.
+/// pages of nodes in use take memory. Several threads may call compute_cube() at once.
 class DistanceLevels {
  public:
-  using Index = std::array<int, 3>;
+  using Index = NodeValues::Index;
 
   /// `cell` is in metres, of level 0. Nodes less than `band` metres from the surface are exact.
   DistanceLevels(const SurfaceDistance& surface, const Vec3& origin, double cell, double band);
@@ -30,15 +30,11 @@ class DistanceLevels {
   /// nodes covered before. Computed distances stay. No other call may run meanwhile.
   void cover(const Index& first, const Index& size);
 
-  /// The distance at a node that cover() named, metres. The first call for a node near the surface
-  /// costs a query of the tree. `near` is a hint, a point of the surface. A query sets it to the
-  /// node's closest point.
-  float at(const Index& node, SurfacePoint& near) const;
-
-  static constexpr int block_side = 4;
-  /// The distances at the nodes of a block: `block_side` along each axis from `first` on, along x
-  /// first, then y, then z. The same as at() of each in this order, found faster.
-  void block_at(const Index& first, float* values) const;
+  /// Computes the distances at the cube of 4 x 4 x 4 nodes of the finest level that `node` belongs
+  /// to. cover() has to have named it. Near the surface it costs some queries of the tree.
+  void compute_cube(const Index& node) const;
+  /// Metres, at the nodes of the finest level; 0: not computed.
+  const NodeValues& nodes() const { return levels_[0].nodes; }
 
   /// The distances computed so far. No other call may run meanwhile.
   DistanceCache cache() const;
@@ -59,20 +55,27 @@ class DistanceLevels {
     double cell;   // metres
     double exact;  // metres from the surface within which nodes are always computed exactly
     double reach;  // metres: nodes interpolated to be nearer than this are computed exactly, too
-    Index first = {0, 0, 0};
-    Index size = {0, 0, 0};
-    struct Free {
-      void operator()(void* memory) const { std::free(memory); }
-    };
-    std::unique_ptr<std::atomic<float>[], Free> values;  // metres; 0: not computed
+    mutable NodeValues nodes;  // metres
 
-    std::size_t place(const Index& node) const;
     std::size_t cubes() const;
+    /// The place of node i of a cube.
+    std::size_t place(std::size_t cube, std::size_t i) const;
   };
   static constexpr std::size_t levels = 3;
 
+  using Corners = std::array<double, 8>;
+
+  /// The distance at a node of a coarser level. `near` is a hint, a point of the surface. A query
+  /// sets it to the node's closest point.
   float at(std::size_t level, const Index& node, SurfacePoint& near) const;
-  float compute(std::size_t level, const Index& node, SurfacePoint& near) const;
+  /// The distances at the corners of a cell of a coarser level.
+  Corners corners(std::size_t level, const Index& cell, SurfacePoint& near) const;
+  /// The distance at a node that the next coarser level's cell around it gives; none where it has
+  /// to be exact.
+  std::optional<float> interpolated(std::size_t level, const Index& node,
+                                    const Corners& corners) const;
+  Vec3 point(std::size_t level, const Index& node) const;
+  void store(std::size_t level, std::size_t place, float value) const;
 
   SurfaceDistance surface_;
   Vec3 origin_;

@@ -24,11 +24,10 @@ struct Cut {
   Edge leave;  // the edge on which it goes up; the next triangle enters there
 };
 
-std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<double>& height) {
+// `above`: per point, 1 above the plane or in it, else 0.
+std::vector<Cut> cut_triangles(const TriangleMesh& mesh, const std::vector<char>& above) {
   std::vector<Cut> cuts;
   // Few triangles are cut. All others are told by three bytes.
-  std::vector<char> above(height.size());
-  for (std::size_t p = 0; p < height.size(); ++p) above[p] = static_cast<char>(height[p] >= 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     const int corners_above = above[triangle[0]] + above[triangle[1]] + above[triangle[2]];
@@ -131,14 +130,13 @@ double widest_chord(const Section& section) {
 
 std::vector<Section> slice(const TriangleMesh& mesh, const Vec3& origin, const Vec3& normal) {
   const Vec3 unit_normal = normal.normalized();
-  std::vector<double> height(mesh.points.size());
-  for (std::size_t i = 0; i < height.size(); ++i) {
-    height[i] = unit_normal.dot(mesh.points[i] - origin);
-  }
-  const std::vector<Cut> cuts = cut_triangles(mesh, height);
+  const auto height = [&](std::size_t p) { return unit_normal.dot(mesh.points[p] - origin); };
+  std::vector<char> is_above(mesh.points.size());
+  for (std::size_t p = 0; p < is_above.size(); ++p) is_above[p] = static_cast<char>(height(p) >= 0);
+  const std::vector<Cut> cuts = cut_triangles(mesh, is_above);
   const auto point_on = [&](const Edge& edge) -> Vec3 {
-    const double below = height[edge.first];
-    const double above = height[edge.second];
+    const double below = height(edge.first);
+    const double above = height(edge.second);
     const double t = below / (below - above);
     return mesh.points[edge.first] + t * (mesh.points[edge.second] - mesh.points[edge.first]);
   };

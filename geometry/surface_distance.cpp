@@ -165,4 +165,13 @@ SurfacePoint SurfaceDistance::closest_point(const Vec3& query, const SurfacePoin
   return tree_->describe(query, tree_->tree->closest_triangle(query, hint.triangle));
 }
 
+void SurfaceDistance::closest_points(std::span<const Vec3> queries, const SurfacePoint& hint,
+                                     SurfacePoint* found) const {
+  std::array<int, TriangleTree::most_points> triangles;
+  tree_->tree->closest_triangles(queries, hint.triangle, triangles.data());
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    found[i] = tree_->describe(queries[i], triangles[i]);
+  }
+}
+
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "geometry/types.h"
 
@@ -40,6 +41,11 @@ class SurfaceDistance {
   SurfacePoint closest_point(const Vec3& query) const;
   /// The same distance, found faster. `hint` is the result for a point close to `query`.
   SurfacePoint closest_point(const Vec3& query, const SurfacePoint& hint) const;
+
+  /// The same for some points that are near each other, TriangleTree::most_points at most, found
+  /// faster. `found` has room for one a point.
+  void closest_points(std::span<const Vec3> queries, const SurfacePoint& hint,
+                      SurfacePoint* found) const;
 
   /// Appends the triangles that meet the box from `low` to `high` to `found`. Their order depends
   /// only on the mesh and the box.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/types.h"
@@ -21,6 +22,11 @@ class TriangleTree {
   /// is not finite the result is 0.
   int closest_triangle(const Vec3& point, int hint = -1) const;
 
+  /// Finds the triangle closest to each of some points that are near each other, up to
+  /// `most_points` of them, as closest_triangle() does, sooner. `found` has room for one a point.
+  void closest_triangles(std::span<const Vec3> points, int hint, int* found) const;
+  static constexpr std::size_t most_points = 64;
+
   /// Appends all triangles that meet the box from `low` to `high`, and some others.
   void meeting(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
@@ -36,8 +42,9 @@ class TriangleTree {
   };
   struct Nearest;
   struct Query;
+  struct Search;
 
-  void search(std::size_t level, std::size_t number, Nearest& nearest) const;
+  void search(std::size_t level, std::size_t number, Search& found) const;
   /// Appends the triangles whose boxes meet `box`, below one eight of boxes.
   void collect(std::size_t level, std::size_t number, const FloatBox& box,
                std::vector<int>& found) const;

@@ -77,7 +77,7 @@ struct GirthOptions {
 /// The girths that measure_body() takes of neck, trunk, arms and legs, where the garment is closed
 /// around them. Between crotch and armpits those at level planes every `step` come with them.
 ///
-/// - `measures` are standing_measures(). Where they are empty, bust, waist and hip alone have
+/// - `measures` are standing_girths() or more. Where they are empty, bust, waist and hip alone have
 /// names.
 /// - Where trousers' crotch hangs below the thigh's plane, the thigh is taken below it. So is the
 ///   bust below the armholes, where sleeves hang lower than it.

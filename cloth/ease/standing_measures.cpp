@@ -25,8 +25,12 @@ bool is_standing(const BodyShape& shape, const Skeleton& skeleton) {
 
 std::vector<Measure> standing_measures(const TriangleMesh& body, const Skeleton& skeleton) {
   const BodyShape shape = find_landmarks(body, "the body");
-  if (!is_standing(shape, skeleton)) return {};
-  return measure_body(shape);
+  return is_standing(shape, skeleton) ? measure_body(shape) : std::vector<Measure>();
+}
+
+std::vector<Measure> standing_girths(const TriangleMesh& body, const Skeleton& skeleton) {
+  const BodyShape shape = find_landmarks(body, "the body");
+  return is_standing(shape, skeleton) ? measure_body_girths(shape) : std::vector<Measure>();
 }
 
 }  // namespace toile

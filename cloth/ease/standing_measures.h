@@ -12,5 +12,7 @@ namespace toile {
 /// in a pose, or without limbs: measure_body() would look for them elsewhere. Costs measure_body()
 /// and its landmarks.
 std::vector<Measure> standing_measures(const TriangleMesh& body, const Skeleton& skeleton);
+/// The girths among them. Takes half as long, for geodesics cost the most.
+std::vector<Measure> standing_girths(const TriangleMesh& body, const Skeleton& skeleton);
 
 }  // namespace toile

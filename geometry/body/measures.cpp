@@ -164,6 +164,13 @@ std::vector<Measure> measure_body(const BodyShape& shape) {
   return taker.taken();
 }
 
+std::vector<Measure> measure_body_girths(const BodyShape& shape) {
+  MeasureTaker taker(shape);
+  taker.take_girths();
+  for (const int side : {1, -1}) taker.take_limb_girths(side);
+  return taker.taken();
+}
+
 std::vector<BodyGirth> girths_of(const std::vector<Measure>& measures) {
   std::vector<BodyGirth> girths;
   for (const Measure& measure : measures) {

@@ -66,6 +66,33 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
   }
 }
 
+TEST(TriangleTree, FindsForPointsTogetherWhatItFindsForEach) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<TriangleMesh> meshes = {test::sphere(0.1, 4), test::box({-1, -1, -1}, {1, 1, 1})};
+  for (const int count : {1, 9, 600}) {
+    meshes.push_back(loose(count, 0.3, {0, 0, 0}));
+    meshes.push_back(loose(count, 0.3, {70, -30, 20}));
+  }
+  for (const TriangleMesh& mesh : meshes) {
+    const TriangleTree tree(mesh);
+    for (int i = 0; i < 200; ++i) {
+      // In and about the mesh; now and then in a corner of it.
+      const double off = std::array{0.3, 0.01, 0.0}[static_cast<std::size_t>(i % 3)];
+      const double apart = std::array{0.01, 0.1, 1e-6, 0.0}[static_cast<std::size_t>(i % 4)];
+      const Vec3 middle = mesh.points[random() % mesh.points.size()] +
+                          off * Vec3(unit(random), unit(random), unit(random));
+      std::vector<Vec3> points(1 + i % TriangleTree::most_points, middle);
+      for (Vec3& p : points) p += apart * Vec3(unit(random), unit(random), unit(random));
+      std::vector<int> found(points.size());
+      tree.closest_triangles(points, i % static_cast<int>(mesh.triangles.size()), found.data());
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        ASSERT_EQ(found[k], tree.closest_triangle(points[k]));
+      }
+    }
+  }
+}
+
 // Otherwise the values of a distance grid would depend on the order in which it is filled.
 TEST(TriangleTree, AHintChangesNoAnswerThoughSeveralAreAsNear) {
   TriangleMesh mesh = test::box({-1, -1, -1}, {1, 1, 1});

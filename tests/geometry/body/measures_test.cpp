@@ -68,6 +68,19 @@ double most_moved(const TriangleMesh& changed, const Back& back,
   return most;
 }
 
+TEST(Measures, GirthsAloneAreThoseOfAllMeasures) {
+  const std::vector<BodyGirth> among = girths_of(measures());
+  const std::vector<BodyGirth> alone = girths_of(measure_body_girths(shape()));
+  ASSERT_GT(among.size(), 10U);
+  ASSERT_EQ(alone.size(), among.size());
+  for (std::size_t i = 0; i < among.size(); ++i) {
+    EXPECT_EQ(alone[i].name, among[i].name);
+    EXPECT_EQ(alone[i].origin, among[i].origin);
+    EXPECT_EQ(alone[i].normal, among[i].normal);
+    EXPECT_EQ(alone[i].girth, among[i].girth);
+  }
+}
+
 TEST(Measures, GirthsOfTheMannequinAreThoseItWasMadeTo) {
   EXPECT_NEAR(value("bust"), target("bust"), 1 * millimetre);
   EXPECT_NEAR(value("hip"), target("hip"), 1.5 * millimetre);
