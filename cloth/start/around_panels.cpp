@@ -42,7 +42,7 @@ bool is_sewn_along_y(const PanelMesh& garment, int panel) {
 PlacementAxis up_axis(const PanelMesh& garment, int panel, bool to_partners) {
   const std::vector<int> panel_of = panel_of_points(garment);
   const MeshedPanel& of = garment.panels[panel];
-  Vec2 along(0, 1);
+  Vec2 along = is_sewn_along_y(garment, panel) ? Vec2(1, 0) : Vec2(0, 1);
   for (const MeshedSeam& seam : garment.seams) {
     if (panel_of[seam.a[1]] != panel || panel_of[seam.b[1]] != panel) continue;
     const Vec2 run = garment.flat[seam.a.back()] - garment.flat[seam.a.front()];

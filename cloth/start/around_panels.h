@@ -9,8 +9,8 @@
 namespace toile {
 
 /// The direction of the flat panel that points up its part. It runs along the seam that closes the
-/// panel, else along the drawing's y. It points to the seams to other panels where `to_partners`
-/// says so, else to the drawing's plus side. Linear.
+/// panel, else across those to other panels. It points to the seams to other panels where
+/// `to_partners` says so, else to the drawing's plus side. Linear.
 PlacementAxis up_axis(const PanelMesh& garment, int panel, bool to_partners);
 
 /// Whether a panel may be a strip: a collar, a waistband, a skirt of one panel. It is sewn to

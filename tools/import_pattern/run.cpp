@@ -125,14 +125,14 @@ ImportedFile import_drawing(const std::string& text, const std::string& name,
   } else {
     end.drawing = read_drawing(format, text, name, settings.drawn);
     end.pattern = import_pieces(end.drawing, settings.pieces, remarks);
-    if (settings.makes_whole) {
+    if (settings.makes_whole && std::ranges::none_of(end.drawing.pieces, &Piece::is_panel)) {
       const ImportOptions whole = whole_garment(end.pattern, settings.pieces);
-      end.is_made_whole =
-          whole.unfold != settings.pieces.unfold || whole.pairs != settings.pieces.pairs;
-      if (end.is_made_whole) {
+      const bool is_half = whole.unfold != settings.pieces.unfold;
+      if (is_half || whole.pairs != settings.pieces.pairs) {
         remarks.clear();
         end.pattern = import_pieces(end.drawing, whole, remarks);
       }
+      end.is_half_garment = is_half;
     }
     content = content_of(end.pattern, output, remarks);
     imported.panels = end.pattern.panels.size();

@@ -28,9 +28,9 @@ void read_import_options(const boost::program_options::variables_map& given,
 
 /// What became of a drawing.
 struct ImportEnd {
-  PieceDrawing drawing;     ///< without pieces: it was a JSON, which is a pattern already
-  ImportedPattern pattern;  ///< without panels: the same
-  bool is_made_whole = false;
+  PieceDrawing drawing;          ///< without pieces: it was a JSON, which is a pattern already
+  ImportedPattern pattern;       ///< without panels: the same
+  bool is_half_garment = false;  ///< all that is unfolded was drawn without a mark
 };
 
 /// A pattern, and where it came from.

@@ -81,7 +81,7 @@ Taken halves_of(const ImportEnd& imported) {
   for (const ImportedPanel& panel : imported.pattern.panels) {
     if (panel.is_unfolded) {
       unfolded.add(panel.asked);
-      if (imported.is_made_whole) options.add("--single " + shell_word(panel.asked));
+      if (imported.is_half_garment) options.add("--single " + shell_word(panel.asked));
     }
     if (!panel.likely_fold) continue;
     whole.add(panel.asked);
@@ -89,8 +89,8 @@ Taken halves_of(const ImportEnd& imported) {
   }
   return {"halves",
           joined({said(unfolded, "",
-                       imported.is_made_whole ? " unfolded, for half a garment seems to be drawn"
-                                              : " unfolded"),
+                       imported.is_half_garment ? " unfolded, for half a garment seems to be drawn"
+                                                : " unfolded"),
                   said(whole, "", " taken as whole, with a straight edge like a fold's")},
                  "none"),
           options.empty() ? "--unfold PIECE:EDGE" : options.text()};

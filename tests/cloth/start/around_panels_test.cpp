@@ -46,6 +46,15 @@ TEST(AroundPanels, ASleeveDrawnLevelRunsAlongX) {
   EXPECT_EQ(up_axis(garment, 0, true), PlacementAxis::plus_x);
 }
 
+TEST(AroundPanels, AnOpenCuffDrawnUprightRunsAlongX) {
+  PanelMesh garment;
+  add_panel(garment, "cuff", grid(0.1, 0.4, 1, 4), at_origin);
+  add_panel(garment, "sleeve", grid(0.4, 0.5, 4, 5), at_origin);
+  // The cuff's right side is sewn to the sleeve's lower edge.
+  garment.seams = {test::seam("cuff", {1, 3, 5, 7, 9}, {10, 11, 12, 13, 14})};
+  EXPECT_EQ(up_axis(garment, 0, true), PlacementAxis::plus_x);
+}
+
 /// A strip of 0.8 x 0.1 m whose lower edge is sewn to the upper one of another.
 PanelMesh strips() {
   PanelMesh garment;
