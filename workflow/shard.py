@@ -48,10 +48,10 @@ def compared(batch, tools, target):
 
 def dress(rows, output, tools, threads, timeout, memory, target, is_archived, attempt):
     folder = output.with_suffix("")
-    batch, archive = folder / "batch", folder.with_suffix(".tar.gz")
+    batch, archive = folder / "batch", folder.with_name(folder.name + ".tar.gz")
     folder.parent.mkdir(parents=True, exist_ok=True)
     # A batch whose workflow was killed may still run here: its work is waited for, and kept.
-    lock = open(folder.with_suffix(".lock"), "w")
+    lock = open(folder.with_name(folder.name + ".lock"), "w")
     fcntl.flock(lock, fcntl.LOCK_EX)
     if archive.exists() and not batch.exists():
         shutil.unpack_archive(archive, folder)

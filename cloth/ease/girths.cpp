@@ -74,14 +74,14 @@ class GirthTaker {
     return girth;
   }
 
-  /// At a height of the trunk, of a named level below it where its line runs around the arms; a
-  /// reason where there is none.
+  /// At a height of the trunk; the bust below it where its line runs around the arms. A reason
+  /// where there is none.
   std::pair<std::optional<Girth>, GirthLeftOut> around_trunk(const std::string& name,
                                                              double height) const {
     const std::optional<Section> torso = torso_section(body_, height);
     if (!torso) return {{}, {name, "the body's surface is open there", false, height}};
     bool is_over_arms = false;
-    for (int i = 0; i < (name.empty() ? 1 : search_steps); ++i) {
+    for (int i = 0; i < (name == "bust" ? search_steps : 1); ++i) {
       const CuttingPlane plane{{0, height - search_step * i, 0}, Vec3::UnitY()};
       const std::vector<Section> sections = slice(cloth_, plane.origin, plane.normal);
       const auto around = outermost(sections, torso->centroid, plane.normal);

@@ -75,7 +75,8 @@ class Component {
   TubeFit fit_around(int p, BodyPart part, const std::vector<MeshedPanel>& meshed) const;
   void roll_all(const std::vector<Vec3>& placed, std::vector<MeshedPanel>& meshed) const;
   void roll(int p, const std::vector<Vec3>& placed, std::vector<MeshedPanel>& meshed) const;
-  void level(int p, const std::vector<Vec3>& placed, PanelPlacement& placement) const;
+  void level(int p, const std::vector<Vec3>& placed, const std::vector<MeshedPanel>& meshed,
+             PanelPlacement& placement) const;
   BodyPart rolled_part(int p, const std::vector<MeshedPanel>& meshed) const;
   bool are_sewn(int p, int q) const;
   int twin_leg(int p) const;
@@ -105,7 +106,7 @@ class Component {
   std::vector<int> flat_;  ///< that lie in the layout
   std::vector<int> hoods_;
   std::vector<int> around_;
-  std::size_t strips_ = 0;  ///< how many of around_ do not close by a seam of their own
+  std::vector<int> strips_;  ///< of around_, those that no seam of their own closes
   std::optional<WornLayout> worn_;
 };
 
@@ -165,27 +166,49 @@ void Component::take_strips() {
   if (strips.empty() || rest.empty() || std::ranges::any_of(rest, is_apart)) return;
   flat_ = std::move(rest);
   lay_panels();
+  // A cuff of a leg lies with the leg.
+  std::vector<char> is_of_leg(garment_.panels.size(), 0);
+  for (const bool left : {true, false}) {
+    for (const std::size_t i : worn_->leg_panels(left)) is_of_leg[flat_[i]] = 1;
+  }
   std::vector<MeshedPanel> meshed = garment_.panels;
-  for (const int p : around_) meshed[p].placement.around = 1;
+  for (MeshedPanel& panel : meshed) panel.placement = {};
+  for (const int p : around_) {
+    meshed[p].placement.around = 1;
+    meshed[p].placement.axis = up_axis(garment_, p, false);
+  }
   // What is sewn to a strip may be one, too.
   for (bool is_new = true; is_new;) {
     is_new = std::erase_if(strips, [&](int p) {
-               if (!(fit_around(p, BodyPart::none, meshed).share >= min_tube_fit)) return false;
+               bool is_at_leg = false;
+               each_partner(p, [&](int, int other) {
+                 is_at_leg = is_at_leg || is_of_leg[panel_of_[other]] != 0;
+               });
+               const TubeFit fit = fit_around(p, BodyPart::none, meshed);
+               if (is_at_leg || !(fit.share >= min_tube_fit)) return false;
                meshed[p].placement.around = 1;
-               around_.push_back(p);
-               ++strips_;
+               meshed[p].placement.axis = fit.axis;
+               meshed[p].placement.turn_degrees = to_degrees(fit.turn);
+               strips_.push_back(p);
                return true;
              }) > 0;
   }
   flat_.insert(flat_.end(), strips.begin(), strips.end());
+  // What a strip alone holds has no place without it.
+  DisjointSets held = joined(flat_);
+  if (std::ranges::any_of(flat_, [&](int p) { return held.of(p) != held.of(flat_.front()); })) {
+    flat_.insert(flat_.end(), strips_.begin(), strips_.end());
+    strips_.clear();
+  }
+  around_.insert(around_.end(), strips_.begin(), strips_.end());
   std::ranges::sort(flat_);
 }
 
 /// How a panel fits around what it is sewn to. Of that counts what lies in the layout, and what is
 /// rolled around the same part. `part` none: around any one.
 TubeFit Component::fit_around(int p, BodyPart part, const std::vector<MeshedPanel>& meshed) const {
-  double left = infinity;
-  double right = -infinity;
+  double least = infinity;
+  double most = -infinity;
   const auto in_picture = [&](int point) -> std::optional<Vec2> {
     const auto partner = in_layout(panel_of_[point]);
     if (!partner || is_limb(part)) return std::nullopt;
@@ -193,14 +216,14 @@ TubeFit Component::fit_around(int p, BodyPart part, const std::vector<MeshedPane
   };
   each_partner(p, [&](int, int other) {
     if (const auto at = in_picture(other)) {
-      left = std::min(left, at->x());
-      right = std::max(right, at->x());
+      least = std::min(least, at->x());
+      most = std::max(most, at->x());
     }
   });
   return tube_fit(garment_, p, [&](int point) -> std::optional<double> {
     const int q = panel_of_[point];
     if (const auto at = in_picture(point)) {
-      const double share = (at->x() - left) / (right - left) - 0.5;
+      const double share = (at->x() - least) / (most - least) - 0.5;
       const bool is_back = worn_->layout().back[*in_layout(q)] != 0;
       return std::numbers::pi * (is_back ? 1 - share : share);
     }
@@ -246,7 +269,7 @@ void Component::lay_panels() {
   // One face alone is no name of a face, as in panels named a, b and c.
   const bool are_named = (faces[0] && faces[1]) || is_asked;
   if (!are_named) back.assign(flat_.size(), std::nullopt);
-  worn_.emplace(garment_, lay_flat(garment_, flat_, back), around_.size() - strips_);
+  worn_.emplace(garment_, lay_flat(garment_, flat_, back), around_.size() - strips_.size());
   if (!are_named) worn_->choose_front();
   worn_->straighten_legs(skeleton_);
 }
@@ -373,10 +396,12 @@ bool Component::are_sewn(int p, int q) const {
 /// The other of two legs of one piece each, or -1. They are alike and sewn to each other, as no
 /// sleeves are.
 int Component::twin_leg(int p) const {
+  const auto is_strip = [&](int q) { return std::ranges::count(strips_, q) > 0; };
+  if (is_strip(p)) return -1;
   for (const int q : around_) {
     const double points = std::max(panel(p).points, panel(q).points);
     const bool are_alike = std::abs(panel(p).points - panel(q).points) < leg_likeness * points;
-    if (q != p && are_alike && are_sewn(p, q)) return q;
+    if (q != p && !is_strip(q) && are_alike && are_sewn(p, q)) return q;
   }
   return -1;
 }
@@ -491,23 +516,28 @@ void Component::roll_all(const std::vector<Vec3>& placed, std::vector<MeshedPane
   }
 }
 
-/// A band at the neck goes around the neck, its seam at the base. Any other panel lies level with
-/// what it is sewn to; positioning sees to that.
-void Component::level(int p, const std::vector<Vec3>& placed, PanelPlacement& placement) const {
-  double height = 0;
+/// A band at the neck goes around the neck, its seam at the base. What is sewn to a flat panel or
+/// to another one around the same part lies level with that; positioning sees to it.
+void Component::level(int p, const std::vector<Vec3>& placed,
+                      const std::vector<MeshedPanel>& meshed, PanelPlacement& placement) const {
+  double highest = -infinity;
   double seam = 0;
   int count = 0;
+  bool has_neighbour = false;
   each_partner(p, [&](int mine, int other) {
-    if (!in_layout(panel_of_[other])) return;
-    height += placed[other].y();
+    const int q = panel_of_[other];
+    has_neighbour = has_neighbour || (q != p && meshed[q].placement.around > 0 &&
+                                      meshed[q].is.part == meshed[p].is.part);
+    if (!in_layout(q)) return;
+    highest = std::max(highest, placed[other].y());
     seam += upright(placement.axis, garment_.flat[mine]).y();
     ++count;
   });
-  if (count == 0) return level_by_crotch(p, placement);
-  const auto away = [&](const char* joint) {
-    return std::abs(height / count - skeleton_.joint(joint).y());
-  };
-  if (away("neck") > away("waist")) return;
+  if (is_leg(meshed[p].is.part) || (count == 0 && !has_neighbour)) {
+    return level_by_crotch(p, placement);
+  }
+  const double neck = skeleton_.joint("neck").y();
+  if (highest < 0.5 * (neck + skeleton_.joint("chest").y())) return;
   placement.at = "neck";
   placement.level = seam / count;
 }
@@ -528,7 +558,7 @@ void Component::roll(int p, const std::vector<Vec3>& placed,
     rolled.placement.axis = fit.axis;
     rolled.placement.turn_degrees = to_degrees(fit.turn);
   }
-  if (!goes_around_arm) level(p, placed, rolled.placement);
+  if (!goes_around_arm) level(p, placed, meshed, rolled.placement);
 }
 
 std::vector<int> Component::place(std::vector<Vec3>& placed, std::vector<FoundPlace>& found,

@@ -49,7 +49,8 @@ Eigen::Matrix3d part_frame(const Vec3& up);
 ///   is taken.
 /// - Where bends of the part obstruct a straight line, as an elbow does, the panel is rolled about
 ///   the bones as they bend. That must spare 2 cm of gap and draw.
-/// - What is rolled at the neck leans to the front by up to 30 degrees, if its gap is less then.
+/// - What is rolled at the neck leans to the front by up to 30 degrees. It may if fewer of its
+///   points are too near then, or its gap is less.
 /// - A sleeve whose pattern names no joint is drawn down its arm by up to 20 cm, if that brings
 ///   it nearer to the arm. The armpit obstructs it. Panels of one arm are drawn alike.
 /// - Panels of a leg stay on its side of the plane between both legs. Rolled ones keep clear by

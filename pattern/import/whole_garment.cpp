@@ -1,6 +1,7 @@
 #include "pattern/import/whole_garment.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/polygon.h"
 
@@ -12,8 +13,9 @@ namespace {
 /// Bands and cuffs are some. Whole fronts and backs are more.
 constexpr double most_symmetric = 0.25;
 
-/// Metres by which the left and the right one of two pieces may differ.
+/// Metres by which the left and the right one of two pieces may differ, and share of their area.
 constexpr double twin_within = 5e-3;
+constexpr double twin_share = 0.05;
 
 std::vector<Vec2> points_of(const ImportedPanel& panel) {
   std::vector<Vec2> points;
@@ -27,6 +29,7 @@ std::vector<Vec2> points_of(const ImportedPanel& panel) {
 
 /// Whether a piece is the mirror image of another one, across the drawing's y.
 bool are_twins(const ImportedPanel& a, const ImportedPanel& b) {
+  if (std::abs(a.area - b.area) > twin_share * a.area) return false;
   std::vector<Vec2> mirrored = points_of(a);
   const std::vector<Vec2> other = points_of(b);
   for (Vec2& point : mirrored) point.x() = -point.x();
@@ -53,18 +56,23 @@ ImportOptions whole_garment(const ImportedPattern& drawn, const ImportOptions& g
   std::vector<const ImportedPanel*> lopsided;
   for (const ImportedPanel& panel : drawn.panels) {
     says_how = says_how || panel.is_unfolded || panel.is_of_pair || panel.quantity > 1;
-    has_half = has_half || panel.likely_fold;
     area += panel.area;
     if (panel.is_symmetric) symmetric += panel.area;
     if (panel.is_symmetric || panel.is_of_pair || panel.quantity > 1) continue;
-    if (std::ranges::count(given.singles, panel.asked) > 0) continue;
     const bool has_twin = std::ranges::any_of(drawn.panels, [&](const ImportedPanel& other) {
       return &other != &panel && are_twins(panel, other);
     });
-    if (!has_twin) lopsided.push_back(&panel);
+    if (has_twin) continue;
+    lopsided.push_back(&panel);
+    has_half = has_half || panel.likely_fold;
   }
+  if (says_how && lopsided.size() != 1) return whole;
+  const auto stays = [&](const ImportedPanel* panel) {
+    return std::ranges::count(given.singles, panel->asked) > 0;
+  };
+  std::erase_if(lopsided, stays);
   if (says_how) {
-    if (lopsided.size() == 1) whole.pairs.push_back(lopsided[0]->asked);
+    for (const ImportedPanel* panel : lopsided) whole.pairs.push_back(panel->asked);
     return whole;
   }
   if (!has_half || symmetric > most_symmetric * area) return whole;

@@ -129,10 +129,15 @@ ImportedFile import_drawing(const std::string& text, const std::string& name,
       const ImportOptions whole = whole_garment(end.pattern, settings.pieces);
       const bool is_half = whole.unfold != settings.pieces.unfold;
       if (is_half || whole.pairs != settings.pieces.pairs) {
-        remarks.clear();
-        end.pattern = import_pieces(end.drawing, whole, remarks);
+        try {
+          std::vector<Remark> said;
+          end.pattern = import_pieces(end.drawing, whole, said);
+          remarks = std::move(said);
+          end.is_half_garment = is_half;
+        } catch (const Error&) {
+          // A guess that can't be drawn was none.
+        }
       }
-      end.is_half_garment = is_half;
     }
     content = content_of(end.pattern, output, remarks);
     imported.panels = end.pattern.panels.size();

@@ -55,8 +55,7 @@ LaidAside lay_aside(const std::filesystem::path& file, const std::set<std::strin
     const PatternPanel& panel = pattern.panels[p];
     if (!panel.left_out.empty() || stays.contains(part[p])) continue;
     aside.panels.push_back({panel.name, "sewn to nothing of the rest"});
-    aside.largest =
-        std::max(aside.largest, std::abs(signed_area(outline_polygon(panel).points)) / area);
+    aside.largest = std::max(aside.largest, areas[part[p]] / area);
     kinds[panel.name] = aside.panels.back().kind;
   }
   if (aside.panels.empty()) return aside;

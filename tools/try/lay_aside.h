@@ -13,7 +13,7 @@ namespace toile {
 /// Panels that are laid aside.
 struct LaidAside {
   std::vector<LeftOut> panels;
-  double largest = 0;  ///< area of the largest of them, as a share of what stays
+  double largest = 0;  ///< area of the most that is sewn together, as a share of what stays
 };
 
 /// Writes a pattern file anew, leaving out what is not sewn to its largest part by area. Parts with

@@ -105,9 +105,13 @@ constexpr double largest_spare = 0.05;
 /// Whether a panel may belong to the rest by a seam that is not decided.
 bool has_undecided_seam(const std::vector<LeftOut>& panels, const FindSeamsEnd& seams) {
   return std::ranges::any_of(seams.undecided, [&](const UndecidedSeam& seam) {
-    return std::ranges::any_of(panels, [&](const LeftOut& panel) {
-      return (" " + seam.name).find(" " + panel.name + ":") != std::string::npos;
+    const bool first = std::ranges::any_of(
+        panels, [&](const LeftOut& panel) { return seam.name.starts_with(panel.name + ":"); });
+    const std::string second_side = seam.name.substr(0, seam.name.rfind(':') + 1);
+    const bool second = std::ranges::any_of(panels, [&](const LeftOut& panel) {
+      return second_side.ends_with(" " + panel.name + ":");
     });
+    return first != second;
   });
 }
 

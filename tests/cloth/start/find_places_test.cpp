@@ -303,6 +303,27 @@ TEST(FindPlaces, ACollarGoesAroundTheNeckHoweverItIsDrawn) {
   }
 }
 
+TEST(FindPlaces, ACollarOnAStandIsAtTheNeckAndNoLeg) {
+  for (const double height : {4.0, 6.0}) {  // a stand of another size, and one that is alike
+    Json pattern = with_collar(0);
+    const double width = 2 * (std::hypot(9, 10) + std::hypot(9, 2.2));
+    Json leaf;
+    leaf["vertices"] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    for (int i = 0; i < 4; ++i) leaf["edges"].push_back({{"endpoints", {i, (i + 1) % 4}}});
+    pattern["pattern"]["panels"]["k8"] = leaf;
+    pattern["pattern"]["stitches"].push_back(
+        {{{"panel", "k8"}, {"edge", 0}}, {{"panel", "k7"}, {"edge", 5}}});
+    PanelMesh garment = meshed(pattern);
+    const auto places = by_name(place(garment));
+    EXPECT_EQ(text_of(places.at("k7")), "k7: torso, around") << height;
+    EXPECT_EQ(text_of(places.at("k8")), "k8: torso, around") << height;
+    const DistanceGrid skin{SurfaceDistance(body().surface)};
+    garment.placed = position_panels(garment, skin, &body().skeleton).placed;
+    EXPECT_GT(middle(garment, "k8").y(), body().skeleton.joint("neck").y()) << height;
+    EXPECT_LT(middle(garment, "k8").y(), body().skeleton.joint("neck").y() + 0.15) << height;
+  }
+}
+
 TEST(FindPlaces, HalfAHoodThatTheOtherHalfHoldsStandsAcrossFromIt) {
   Json pattern = Json::parse(read_file(TOILE_SOURCE_DIR "/tests/pattern/seams/drafts/hugo.json"));
   Json& inner = pattern["pattern"];

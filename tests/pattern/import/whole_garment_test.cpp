@@ -60,9 +60,13 @@ TEST(WholeGarment, WhatTheDrawingSaysHolds) {
   EXPECT_EQ(whole(drawing).unfold, Words{});
   // The front alone is neither symmetric nor one of two, and is not said to be folded.
   EXPECT_EQ(whole(drawing).pairs, Words{"front"});
-  // Of two, nobody knows.
+  EXPECT_EQ(whole(drawing).unfold, Words{});
+  // Of two, nobody knows, and to name one tells nothing of the other.
   drawing.pieces.push_back(piece("pocket", {{5, 0}, {5.2, 0}, {5.25, 0.3}, {5, 0.2}}));
   EXPECT_EQ(whole(drawing).pairs, Words{});
+  ImportOptions single;
+  single.singles = {"pocket"};
+  EXPECT_EQ(whole(drawing, single).pairs, Words{});
 }
 
 TEST(WholeGarment, LeftAndRightFrontsAndAWholeBackAreWhole) {
