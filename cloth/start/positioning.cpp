@@ -247,8 +247,8 @@ class PanelPose {
   PanelPose(const UprightPanel& piece, double drawn_out, bool bent = false, double lean = 0)
       : piece_(piece), drawn_out_(drawn_out), bent_(bent) {
     const double angle = to_radians(degrees_around(piece.panel.placement, piece.panel.is.part));
-    turned_ = (Eigen::AngleAxisd(lean, Vec3::UnitX()) * Eigen::AngleAxisd(angle, Vec3::UnitY()))
-                  .toRotationMatrix();
+    turned_ = Eigen::AngleAxisd(lean, Vec3::UnitX()).toRotationMatrix() *
+              Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
     const double a = piece.arc(piece.low.y()) + drawn_out;
     const double b = piece.arc(piece.high.y()) + drawn_out;
     std::tie(middle_, frame_) = along_bones(std::min(a, b), std::max(a, b));
