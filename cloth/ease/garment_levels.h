@@ -32,6 +32,7 @@ struct GarmentLevel {
   std::optional<double> drafted_body;  ///< the body's girth there; none: not known
   /// By how much that changes within the error of `drafted`.
   double drafted_body_error = 0;
+  std::optional<double> waist;  ///< of a waist seam, the body's girth at the waist
 
   /// What it is compared with. Patterns state roughly where a top edge starts, so it counts where
   /// it lacks the least: there or where it rests. Another edge counts where it was drafted to lie.

@@ -210,6 +210,7 @@ void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const 
       }
       if (found > 0) level.drafted = level.height - sum / found;
     }
+    if (level.name == "waist seam") level.waist = girth_at(skeleton.joint("waist").y());
     if (level.drafted) level.drafted_body = girth_at(*level.drafted);
     if (!level.drafted_body) continue;
     for (const double height : {*level.drafted - drafted_error, *level.drafted + drafted_error}) {

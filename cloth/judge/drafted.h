@@ -35,7 +35,7 @@ bool left_its_place(const GarmentLevel& level, double height_error);
 ///   the shorter of them holds it.
 /// - The top edge of what does not: where it started, at the centre of front and back.
 /// - A waist seam has none, nor what hangs from it: a bodice may blouse over it, a peplum stands
-/// off.
+/// off. It gets GarmentLevel::waist.
 ///
 /// `skeleton` has all limbs. Costs four slices, and one pass over the body a level.
 void set_drafted(const PanelMesh& pattern, const DressedGarment& dressed, const TriangleMesh& body,

@@ -45,7 +45,7 @@ Fit fit_of(const std::vector<Girth>& girths, const std::vector<GarmentLevel>& ga
     if (level.is_of_limb) {
       compare(compared);
     } else {
-      compare_trunk(compared, {});
+      compare_trunk(compared, level.waist);
     }
   }
   return fit;

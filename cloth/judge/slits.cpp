@@ -28,6 +28,15 @@ struct BorderEdge {
   int panel = -1;
 };
 
+/// Radians, 135 degrees, half way between a square corner and a straight edge. A band ends where it
+/// has less about a point of the border, and the edge goes on where the rest has more. At 90 and
+/// 180 degrees corners that are a little off square decide by chance.
+constexpr double square_or_straight = 0.75 * std::numbers::pi;
+
+bool is_band(const MeshedPanel& panel) {
+  return panel.is.role == PanelRole::waistband || panel.is.role == PanelRole::cuff;
+}
+
 }  // namespace
 
 std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dressed) {
@@ -83,6 +92,42 @@ std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dre
     }
   }
   return slits;
+}
+
+std::vector<BandEnd> find_band_ends(const PanelMesh& garment, const DressedGarment& dressed) {
+  std::vector<Triangle> triangles;
+  std::map<std::pair<int, int>, int> panel_beside;  // of an edge of the border
+  std::map<std::pair<int, int>, double> turn;       // radians of cloth, of a node and a panel
+  std::vector<double> whole(dressed.points.size(), 0);
+  for (std::size_t t = 0; t < dressed.triangles.size(); ++t) {
+    const int panel = dressed.panel_of_triangle[t];
+    if (garment.panels[panel].layered) continue;
+    triangles.push_back(dressed.triangles[t]);
+    const Triangle& flat = garment.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      const int next = (i + 1) % 3;
+      const int node = dressed.triangles[t][i];
+      const double angle = corner_angle(garment, flat, i);
+      whole[node] += angle;
+      turn[{node, panel}] += angle;
+      panel_beside[std::minmax(node, dressed.triangles[t][next])] = panel;
+    }
+  }
+  std::vector<BandEnd> ends;
+  for (const std::vector<int>& loop : border_loops(triangles, dressed.points.size())) {
+    const std::size_t count = loop.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const int node = loop[i];
+      int band = panel_beside.at(std::minmax(node, loop[(i + 1) % count]));
+      int other = panel_beside.at(std::minmax(node, loop[(i + count - 1) % count]));
+      if (!is_band(garment.panels[band])) std::swap(band, other);
+      if (!is_band(garment.panels[band]) || is_band(garment.panels[other])) continue;
+      const double of_band = turn.at({node, band});
+      if (of_band > square_or_straight || whole[node] - of_band < square_or_straight) continue;
+      ends.push_back({garment.panels[band].name, garment.panels[other].name, dressed.points[node]});
+    }
+  }
+  return ends;
 }
 
 }  // namespace toile

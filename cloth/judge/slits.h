@@ -1,4 +1,4 @@
-// Slits of a sewn garment: two edges that look like a seam that was left open.
+// What looks left out along the border of a sewn garment: slits, and bands that end early.
 #pragma once
 
 #include <string>
@@ -24,5 +24,18 @@ struct Slit {
 /// shorter one goes. A curve is no corner. A narrow V of a neckline is one, too: what `rest` leaves
 /// open tells them apart. About O(n log n) in the triangles.
 std::vector<Slit> find_slits(const PanelMesh& garment, const DressedGarment& dressed);
+
+/// An end of a band that is sewn to nothing, beside an edge that goes on without it. The other half
+/// of the band is missing, or one end of the edge is sewn wrongly. Where the edge ends with the
+/// band, as at the front of a jacket, it is no such end.
+struct BandEnd {
+  std::string band;     ///< the panel
+  std::string goes_on;  ///< the panel whose edge goes on
+  Vec3 at{0, 0, 0};     ///< metres, as worn
+};
+
+/// The ends of waistbands and cuffs, by PanelClass::role, of the panels that are not layered. About
+/// O(n log n) in the triangles.
+std::vector<BandEnd> find_band_ends(const PanelMesh& garment, const DressedGarment& dressed);
 
 }  // namespace toile

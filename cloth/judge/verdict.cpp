@@ -58,11 +58,14 @@ void measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const 
   judgement.levels = measure_garment_levels(dressed, body, skeleton, worn_as(pattern), measures);
   set_drafted(pattern, dressed, body, skeleton, girths.rows, judgement.levels);
   judgement.fit = fit_of(girths.rows, judgement.levels);
-  // The nearest level may be one that was not measured.
+  // The nearest level may be one that was not measured. A waist that is sewn wide is wide.
   const auto is_open = [&](const GirthLeftOut& level) {
     return level.is_open && !is_at_armhole(dressed, judgement.worn.openings, level.height);
   };
-  if (std::ranges::any_of(girths.left_out, is_open)) judgement.fit.nearest.reset();
+  std::optional<FitLevel>& nearest = judgement.fit.nearest;
+  if (nearest && nearest->level != "waist seam" && std::ranges::any_of(girths.left_out, is_open)) {
+    nearest.reset();
+  }
 }
 
 }  // namespace
@@ -73,6 +76,7 @@ Judgement judge(const PanelMesh& pattern, const DressedGarment& dressed, const T
   judgement.garment = measure_garment(pattern, dressed);
   judgement.height_error = height_error(pattern.edge_length);
   judgement.slits = find_slits(pattern, dressed);
+  judgement.band_ends = find_band_ends(pattern, dressed);
   if (end.on_floor) judgement.on_floor = panels_on_floor(pattern, dressed, *end.on_floor);
   if (skeleton != nullptr) {
     judgement.wraps = measure_wraps(pattern, dressed, *skeleton);

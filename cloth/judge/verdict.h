@@ -37,6 +37,7 @@ struct Judgement {
   std::vector<WrapMeasurement> wraps;
   WearFindings worn;
   std::vector<Slit> slits;
+  std::vector<BandEnd> band_ends;
   std::optional<Asymmetry> asymmetry;  ///< none: the pattern is not symmetric, or no skeleton
   std::vector<std::string> on_floor;   ///< names of panels that lie on the floor
   Fit fit;                             ///< apart from the verdict

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -176,6 +177,15 @@ void warn_of_verdict(const DressResult& result, const Judgement& judgement, Dres
          << " cm between panel '" << slit.panel_a << "' and panel '" << slit.panel_b << "', "
          << floor_height(slit.tip.y()) << ": a vent, or a seam is left open";
     log.warn({"open_edges", slit.panel_a, text.str()});
+  }
+  std::set<std::string> cut_short;
+  for (const BandEnd& end : judgement.band_ends) {
+    if (judgement.garment.seams.open > 0) break;
+    if (!cut_short.insert(end.band).second) continue;
+    log.warn({"open_edges", end.band,
+              "panel '" + end.band + "' ends " + floor_height(end.at.y()) +
+                  ", and the edge of panel '" + end.goes_on +
+                  "' goes on without it: the rest of the band is missing, or its end is not sewn"});
   }
   for (const Opening& opening : worn.openings) {
     if (judgement.garment.seams.open > 0) break;

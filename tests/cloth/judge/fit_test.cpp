@@ -54,6 +54,21 @@ TEST(Fit, LevelsOfTheGarmentCountWhereTheyLieOnTheTrunk) {
   EXPECT_EQ(to_string(fit_of({}, {seam})), "ok");
 }
 
+TEST(Fit, AWaistSeamIsWideForTheWaistWhereverItHangs) {
+  GarmentLevel seam;
+  seam.name = "waist seam";
+  seam.as_cut = 1.14;
+  seam.body = 1.01;  // at the hip, where it slid to
+  seam.waist = 0.84;
+  const Fit fit = fit_of({}, {seam});
+  EXPECT_EQ(text_of(fit), "ok");
+  ASSERT_TRUE(fit.nearest);
+  EXPECT_NEAR(fit.nearest->body, 0.84, 1e-12);
+  // What is cut small is told where it lies.
+  seam.as_cut = 0.95;
+  EXPECT_NEAR(fit_of({}, {seam}).levels.at(0).body, 1.01, 1e-12);
+}
+
 TEST(Fit, ACuffThatIsSmallerThanTheForearmIsNamed) {
   GarmentLevel cuff;
   cuff.name = "left cuff";

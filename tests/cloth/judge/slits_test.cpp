@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,60 @@ TEST(Slits, ASeamThatIsOpenInItsMiddleHasTwoEnds) {
 }
 
 TEST(Slits, AShortOneIsAVent) { EXPECT_TRUE(slits_of(tube_sewn(1, test::tube_rows)).empty()); }
+
+/// Sews half of a waistband to the top of a half of the tube.
+void add_band(PanelMesh& garment, const std::string& name, int half, double start) {
+  add_panel(garment, name, test::grid(test::pi * test::tube_radius, 0.04, test::tube_columns, 2),
+            [&](const Vec2& p) {
+              const double angle = start + p.x() / test::tube_radius;
+              return Vec3(test::tube_radius * std::sin(angle), 1.4 + p.y(),
+                          test::tube_radius * std::cos(angle));
+            });
+  std::vector<int> top;
+  std::vector<int> bottom;
+  for (int i = 0; i <= test::tube_columns; ++i) {
+    const MeshedPanel& below = garment.panels[half];
+    top.push_back(below.first_point + test::tube_rows * (test::tube_columns + 1) + i);
+    bottom.push_back(garment.panels.back().first_point + i);
+  }
+  garment.seams.push_back(test::seam(name, top, bottom));
+}
+
+TEST(BandEnds, HalfAWaistbandHasTwo) {
+  PanelMesh garment = test::tube();
+  add_band(garment, "waistband_front", 0, -test::pi / 2);
+  const std::vector<BandEnd> ends =
+      find_band_ends(garment, test::as_dressed(garment, garment.placed));
+  ASSERT_EQ(ends.size(), 2U);
+  for (const BandEnd& end : ends) {
+    EXPECT_EQ(end.band, "waistband_front");
+    EXPECT_EQ(end.goes_on, "back");
+    EXPECT_NEAR(end.at.y(), 1.4, 1e-9);
+  }
+}
+
+TEST(BandEnds, AWholeWaistbandHasNone) {
+  PanelMesh garment = test::tube();
+  add_band(garment, "waistband_front", 0, -test::pi / 2);
+  add_band(garment, "waistband_back", 1, test::pi / 2);
+  const auto end_of = [&](int panel, bool right) {
+    return test::side(garment.panels[panel], test::tube_columns, 2, right);
+  };
+  garment.seams.push_back(test::seam("left end", end_of(2, true), end_of(3, false)));
+  garment.seams.push_back(test::seam("right end", end_of(3, true), end_of(2, false)));
+  EXPECT_TRUE(find_band_ends(garment, test::as_dressed(garment, garment.placed)).empty());
+}
+
+TEST(BandEnds, ABandThatEndsWhereItsEdgeEndsHasNone) {
+  PanelMesh garment = tube_sewn(0, 1);
+  garment.seams.erase(garment.seams.begin() + 1);  // the right side is open, as a jacket's front
+  add_band(garment, "waistband_front", 0, -test::pi / 2);
+  add_band(garment, "waistband_back", 1, test::pi / 2);
+  garment.seams.push_back(test::seam("left end",
+                                     test::side(garment.panels[2], test::tube_columns, 2, true),
+                                     test::side(garment.panels[3], test::tube_columns, 2, false)));
+  EXPECT_TRUE(find_band_ends(garment, test::as_dressed(garment, garment.placed)).empty());
+}
 
 TEST(Slits, ALayeredPanelPlaysNoPart) {
   PanelMesh garment = tube_sewn(7, test::tube_rows);
