@@ -2,7 +2,6 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
 namespace toile {
@@ -56,10 +55,8 @@ TriangleMesh decimate(const TriangleMesh& mesh, int triangles) {
 
   OpenMesh::Decimater::DecimaterT<Mesh> decimater(half_edges);
   OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
-  OpenMesh::Decimater::ModNormalFlippingT<Mesh>::Handle no_flips;
   decimater.add(quadric);
   decimater.module(quadric).unset_max_err();
-  decimater.add(no_flips);
   decimater.initialize();
   decimater.decimate_to_faces(0, static_cast<std::size_t>(triangles));
   half_edges.garbage_collection();

@@ -1,6 +1,7 @@
 #include "io/skeleton_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -32,7 +33,7 @@ void expect(const JsonValue& root, const std::string& key, const std::string& wa
   if (value.text() != wanted) value.fail("is not " + wanted, remedy);
 }
 
-Vec3 joint_of(const JsonValue& value) {
+Vec3 point_of(const JsonValue& value) {
   value.size(3, 3);
   Vec3 point;
   for (int axis = 0; axis < 3; ++axis) {
@@ -67,6 +68,52 @@ BodyMove move_of(const JsonValue& value) {
   return move;
 }
 
+double length_of(const JsonValue& value) {
+  const double length = value.number();
+  if (!(length >= 0 && length <= max_metres)) value.fail("is no length in metres", remedy);
+  return length;
+}
+
+BodyMeasures measures_of(const JsonValue& value) {
+  BodyMeasures measures;
+  const JsonValue girths = value.get("girths");
+  for (std::size_t i = 0; i < girths.size(); ++i) {
+    const JsonValue girth = girths.item(i);
+    measures.girths.push_back({girth.get("name").text(), point_of(girth.get("origin_m")),
+                               point_of(girth.get("normal")), length_of(girth.get("girth_m"))});
+    if (std::abs(measures.girths.back().normal.norm() - 1) > 1e-6) {
+      girth.get("normal").fail("is not of length 1", remedy);
+    }
+  }
+  const JsonValue lengths = value.get("lengths_m");
+  for (const std::string& name : lengths.keys()) {
+    measures.lengths[name] = length_of(lengths.get(name));
+  }
+  const JsonValue points = value.get("shoulder_points_m");
+  for (const std::string& side : points.keys()) {
+    measures.shoulder_points[side] = point_of(points.get(side));
+  }
+  return measures;
+}
+
+Json json_of(const Vec3& point) { return {point.x(), point.y(), point.z()}; }
+
+Json json_of(const BodyMeasures& measures) {
+  Json json = {{"girths", Json::array()},
+               {"lengths_m", measures.lengths},
+               {"shoulder_points_m", Json::object()}};
+  for (const BodyGirth& girth : measures.girths) {
+    json["girths"].push_back({{"name", girth.name},
+                              {"origin_m", json_of(girth.origin)},
+                              {"normal", json_of(girth.normal)},
+                              {"girth_m", girth.girth}});
+  }
+  for (const auto& [side, point] : measures.shoulder_points) {
+    json["shoulder_points_m"][side] = json_of(point);
+  }
+  return json;
+}
+
 bool has_segment(const Skeleton& skeleton, const Segment& wanted) {
   return std::any_of(skeleton.segments.begin(), skeleton.segments.end(),
                      [&](const Segment& segment) {
@@ -81,7 +128,7 @@ std::string format_skeleton(const Skeleton& skeleton, const Landmarks& landmarks
   Json json = {{"format", "toile-body"}, {"version", 1}, {"units", "m"}, {"up", "y"}};
   json["joints"] = Json::object();
   for (const auto& [name, point] : skeleton.joints) {
-    json["joints"][name] = {point.x(), point.y(), point.z()};
+    json["joints"][name] = json_of(point);
   }
   json["segments"] = Json::array();
   for (const Segment& segment : skeleton.segments) {
@@ -89,6 +136,7 @@ std::string format_skeleton(const Skeleton& skeleton, const Landmarks& landmarks
         {{"part", segment.part}, {"from", segment.from}, {"to", segment.to}});
   }
   if (!landmarks.empty()) json["landmarks"] = landmarks_json(landmarks);
+  if (skeleton.measures) json["measures"] = json_of(*skeleton.measures);
   if (skeleton.cleaned) {
     const BodyMove& move = *skeleton.cleaned;
     Json rotation = Json::array();
@@ -119,7 +167,7 @@ Skeleton parse_skeleton(const std::string& text, const std::string& file) {
   Skeleton skeleton;
   const JsonValue joints = root.get("joints");
   for (const std::string& name : joints.keys()) {
-    skeleton.joints[name] = joint_of(joints.get(name));
+    skeleton.joints[name] = point_of(joints.get(name));
   }
   const JsonValue segments = root.get("segments");
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -142,6 +190,7 @@ Skeleton parse_skeleton(const std::string& text, const std::string& file) {
   if (const auto cleaned = root.find("cleaned")) {
     skeleton.cleaned = move_of(*cleaned);
   }
+  if (const auto measures = root.find("measures")) skeleton.measures = measures_of(*measures);
   return skeleton;
 }
 

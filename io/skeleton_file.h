@@ -14,8 +14,10 @@ namespace toile {
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}],
 ///  "landmarks": {name: {"place_m": [x, y, z], "confidence": 0.9}},
+///  "measures": {"girths": [...], "lengths_m": {name: 0.6}, "shoulder_points_m": {side: place}},
 ///  "cleaned": {"rotation": rows, "translation_m": [x, y, z], "metres_per_unit": 0.01}}.
-/// `landmarks` is there unless they are empty, `cleaned` where `skeleton.cleaned` is.
+/// A girth has name, origin_m, normal and girth_m. `landmarks` is there unless they are empty,
+/// `cleaned` and `measures` where those of `skeleton` are.
 void write_skeleton(const OutputPath& path, const Skeleton& skeleton,
                     const Landmarks& landmarks = {});
 /// The text of such a file.
@@ -25,7 +27,7 @@ std::string format_skeleton(const Skeleton& skeleton, const Landmarks& landmarks
 /// and the key, for text that is not JSON, other units or another up axis. A joint that is not
 /// three numbers within max_metres is an Error, too. So is a part that is not in body_parts, a
 /// segment without its joints, and joints of one of body_segments() without that segment.
-/// So is a `cleaned` that is no rigid move.
+/// So is a `cleaned` that is no rigid move, and a measure beyond max_metres.
 Skeleton read_skeleton(const std::filesystem::path& path);
 /// The same of a text; `file` stands for its name in messages.
 Skeleton parse_skeleton(const std::string& text, const std::string& file);

@@ -116,7 +116,7 @@ std::vector<PanelRole> worn_as(const std::vector<std::string>& panels) {
 std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
                                                  const TriangleMesh& body, const Skeleton& skeleton,
                                                  const std::vector<PanelRole>& worn_as,
-                                                 const std::vector<Measure>& measures) {
+                                                 const BodyMeasures& measures) {
   std::vector<GarmentLevel> levels;
   if (!has_all_limbs(skeleton)) return levels;
   const std::map<std::pair<int, int>, FlatEdge> flat = flat_edges(garment);
@@ -181,8 +181,8 @@ std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
     GarmentLevel level = measure(name, loop);
     level.is_of_limb = true;
     if (is_neckline) {
-      const Measure* base = find_measure(measures, "neck_base");
-      if (base != nullptr) level.body = base->value;
+      const auto base = measures.lengths.find("neck_base");
+      if (base != measures.lengths.end()) level.body = base->second;
     } else if (!name.ends_with("armhole")) {
       level.body = girth_through(body, garment, loop);
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/body/measures.h"
+#include "geometry/body/body_measures.h"
 #include "geometry/body/skeleton.h"
 #include "pattern/panel_mesh.h"
 
@@ -60,11 +60,11 @@ std::vector<PanelRole> worn_as(const std::vector<std::string>& panels);
 
 /// The levels that the garment has, from the top down, those of limbs last. The waist seam is where
 /// panels that hang from the waist are sewn to others. Empty unless the skeleton has all limbs.
-/// `measures` are standing_girths() or more, for the neck's base.
+/// `measures` are standing_measures(), for the neck's base.
 /// Costs one pass over the body a level.
 std::vector<GarmentLevel> measure_garment_levels(const DressedGarment& garment,
                                                  const TriangleMesh& body, const Skeleton& skeleton,
                                                  const std::vector<PanelRole>& worn_as,
-                                                 const std::vector<Measure>& measures = {});
+                                                 const BodyMeasures& measures = {});
 
 }  // namespace toile

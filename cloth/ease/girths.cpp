@@ -204,13 +204,13 @@ std::vector<int> panels_of(const Girth& girth) {
 }
 
 Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
-                      const Skeleton& skeleton, const std::vector<Measure>& measures,
+                      const Skeleton& skeleton, const BodyMeasures& measures,
                       const GirthOptions& options) {
   Girths result;
   std::vector<NamedLevel> levels;
   std::vector<BodyGirth> limbs;
   if (!measures.empty()) {
-    for (BodyGirth& girth : girths_of(measures)) {
+    for (BodyGirth girth : measures.girths) {
       if (is_trunk_girth(girth.name)) levels.push_back({girth.name, girth.origin.y()});
       if (girth.name == "neck" || !other_side(row_name(girth.name)).empty()) {
         girth.name = row_name(girth.name);

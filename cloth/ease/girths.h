@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth/ease/cloth_line.h"
-#include "geometry/body/measures.h"
+#include "geometry/body/body_measures.h"
 #include "geometry/body/skeleton.h"
 #include "geometry/surface_distance.h"
 #include "pattern/panel_mesh.h"
@@ -77,7 +77,7 @@ struct GirthOptions {
 /// The girths that measure_body() takes of neck, trunk, arms and legs, where the garment is closed
 /// around them. Between crotch and armpits those at level planes every `step` come with them.
 ///
-/// - `measures` are standing_girths() or more. Where they are empty, bust, waist and hip alone have
+/// - `measures` are standing_measures(). Where they are empty, bust, waist and hip alone have
 /// names.
 /// - Where trousers' crotch hangs below the thigh's plane, the thigh is taken below it. So is the
 ///   bust below the armholes, where sleeves hang lower than it.
@@ -90,7 +90,7 @@ struct GirthOptions {
 /// `skeleton` has to have the joints pelvis, waist and chest. Costs a pass over both meshes a row,
 /// and without measures 100 passes over the body.
 Girths measure_girths(const DressedGarment& garment, const TriangleMesh& body,
-                      const Skeleton& skeleton, const std::vector<Measure>& measures,
+                      const Skeleton& skeleton, const BodyMeasures& measures,
                       const GirthOptions& options = {});
 
 }  // namespace toile

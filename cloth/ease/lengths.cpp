@@ -27,9 +27,8 @@ struct SeamEdge {
 
 class LengthTaker {
  public:
-  LengthTaker(const DressedGarment& garment, const Skeleton& skeleton,
-              const std::vector<Measure>& measures, const std::vector<PanelRole>& worn_as,
-              const std::vector<GarmentLevel>& levels)
+  LengthTaker(const DressedGarment& garment, const Skeleton& skeleton, const BodyMeasures& measures,
+              const std::vector<PanelRole>& worn_as, const std::vector<GarmentLevel>& levels)
       : garment_(garment),
         skeleton_(skeleton),
         measures_(measures),
@@ -54,8 +53,9 @@ class LengthTaker {
  private:
   PanelRole role(const PathStep& step) const { return worn_as_[step.panel]; }
   std::optional<double> body(const std::string& measure) const {
-    const Measure* found = find_measure(measures_, measure);
-    return found == nullptr ? std::nullopt : found->value;
+    const auto found = measures_.lengths.find(measure);
+    if (found == measures_.lengths.end()) return std::nullopt;
+    return found->second;
   }
   void add(GarmentLength length) {
     // A slit parts a path: the first part counts.
@@ -101,10 +101,10 @@ class LengthTaker {
       const auto other = std::ranges::find_if(
           rest, [&](const PathStep& step) { return role(step) == PanelRole::sleeve; });
       if (rest.empty() || other != rest.end()) return;
-      const Measure* length = find_measure(measures_, side + "_shoulder_length");
+      const auto found = measures_.shoulder_points.find(side);
       std::vector<EndsBeyond> ends;
-      if (length != nullptr && length->value) {
-        const Vec3& point = length->lines.front().back();
+      if (found != measures_.shoulder_points.end()) {
+        const Vec3& point = found->second;
         ends.push_back({side + " shoulder point",
                         (rest.front().worn_from - point).dot(Vec3(arm.x(), 0, arm.z())) /
                             Vec3(arm.x(), 0, arm.z()).norm()});
@@ -405,7 +405,7 @@ class LengthTaker {
 
   const DressedGarment& garment_;
   const Skeleton& skeleton_;
-  const std::vector<Measure>& measures_;
+  const BodyMeasures& measures_;
   const std::vector<PanelRole>& worn_as_;
   const std::vector<GarmentLevel>& levels_;
   double middle_ = 0;  // x of the body's middle plane, metres
@@ -416,7 +416,7 @@ class LengthTaker {
 }  // namespace
 
 std::vector<GarmentLength> measure_lengths(const DressedGarment& garment, const Skeleton& skeleton,
-                                           const std::vector<Measure>& measures,
+                                           const BodyMeasures& measures,
                                            const std::vector<PanelRole>& worn_as,
                                            const std::vector<GarmentLevel>& levels) {
   if (!has_all_limbs(skeleton)) return {};

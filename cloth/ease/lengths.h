@@ -7,7 +7,7 @@
 
 #include "cloth/ease/cloth_line.h"
 #include "cloth/ease/garment_levels.h"
-#include "geometry/body/measures.h"
+#include "geometry/body/body_measures.h"
 #include "geometry/body/skeleton.h"
 #include "pattern/classify/panel_class.h"
 
@@ -61,7 +61,7 @@ struct GarmentLength {
 /// length has the body's. `worn_as` has a role for each panel. `levels` are
 /// measure_garment_levels(), for neckline and armholes. Costs a slice of the garment a plane.
 std::vector<GarmentLength> measure_lengths(const DressedGarment& garment, const Skeleton& skeleton,
-                                           const std::vector<Measure>& measures,
+                                           const BodyMeasures& measures,
                                            const std::vector<PanelRole>& worn_as,
                                            const std::vector<GarmentLevel>& levels);
 

@@ -1,6 +1,10 @@
 #include "cloth/ease/standing_measures.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "geometry/body/measures.h"
+#include "geometry/slice.h"
 
 namespace toile {
 
@@ -21,16 +25,26 @@ bool is_standing(const BodyShape& shape, const Skeleton& skeleton) {
   });
 }
 
-}  // namespace
+/// Metres: a girth that differs by more is another body's. Text files round a point to 1e-7 of it,
+/// so half and double take the same; a hundredth refuses bodies written as STL.
+constexpr double same_girth = 1e-4;
 
-std::vector<Measure> standing_measures(const TriangleMesh& body, const Skeleton& skeleton) {
-  const BodyShape shape = find_landmarks(body, "the body");
-  return is_standing(shape, skeleton) ? measure_body(shape) : std::vector<Measure>();
+/// Whether the body has these girths in their planes.
+bool are_of(const TriangleMesh& body, const BodyMeasures& measures) {
+  return std::ranges::all_of(measures.girths, [&](const BodyGirth& wanted) {
+    return std::ranges::any_of(slice(body, wanted.origin, wanted.normal),
+                               [&](const Section& section) {
+                                 return std::abs(section.girth - wanted.girth) < same_girth;
+                               });
+  });
 }
 
-std::vector<Measure> standing_girths(const TriangleMesh& body, const Skeleton& skeleton) {
+}  // namespace
+
+BodyMeasures standing_measures(const TriangleMesh& body, const Skeleton& skeleton) {
+  if (skeleton.measures && are_of(body, *skeleton.measures)) return *skeleton.measures;
   const BodyShape shape = find_landmarks(body, "the body");
-  return is_standing(shape, skeleton) ? measure_body_girths(shape) : std::vector<Measure>();
+  return is_standing(shape, skeleton) ? body_measures(measure_body(shape)) : BodyMeasures();
 }
 
 }  // namespace toile

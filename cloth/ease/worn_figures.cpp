@@ -59,7 +59,7 @@ double mean_edge(const DressedGarment& garment) {
 
 WornFigures measure_worn(const DressedGarment& garment, const TriangleMesh& body,
                          const Skeleton& skeleton, const std::vector<PanelRole>& worn_as,
-                         const std::vector<Measure>& measures, const GirthOptions& options) {
+                         const BodyMeasures& measures, const GirthOptions& options) {
   WornFigures figures;
   figures.girths = measure_girths(garment, body, skeleton, measures, options);
   figures.levels = measure_garment_levels(garment, body, skeleton, worn_as, measures);

@@ -22,7 +22,7 @@ double mean_edge(const DressedGarment& garment);
 /// Errors are those of figure_errors.h. Costs what measure_girths() does.
 WornFigures measure_worn(const DressedGarment& garment, const TriangleMesh& body,
                          const Skeleton& skeleton, const std::vector<PanelRole>& worn_as,
-                         const std::vector<Measure>& measures, const GirthOptions& options);
+                         const BodyMeasures& measures, const GirthOptions& options);
 
 /// Takes the errors from other drapes of the same garment instead, on other meshes or from other
 /// starts. An error is the half width within which the next drape's figure lies in nine of ten

@@ -30,8 +30,8 @@ struct Fit {
   bool is_checked = false;       ///< false: no named level could be measured
   std::vector<FitLevel> levels;  ///< those that are too small; empty: large enough
   /// The level of the trunk at which the cut is nearest to the body, as a share. The body is
-  /// measured where that cloth was drafted to lie, and a waist seam at the waist: one that hangs at
-  /// the hips may fit there.
+  /// measured where that cloth was drafted to lie: a waist that hangs at the hips may fit there. A
+  /// waist seam counts at the waist.
   /// None: no level of the trunk was measured, or the garment is open at one.
   std::optional<FitLevel> nearest;
 };

@@ -53,7 +53,7 @@ void measure_fit(const PanelMesh& pattern, const DressedGarment& dressed, const 
   GirthOptions options;
   options.step = 0;
   for (const MeshedPanel& panel : pattern.panels) options.grains.push_back(panel.grain);
-  const std::vector<Measure> measures = standing_girths(body, skeleton);
+  const BodyMeasures measures = standing_measures(body, skeleton);
   Girths girths = measure_girths(dressed, body, skeleton, measures, options);
   judgement.levels = measure_garment_levels(dressed, body, skeleton, worn_as(pattern), measures);
   set_drafted(pattern, dressed, body, skeleton, girths.rows, judgement.levels);

@@ -164,28 +164,35 @@ std::vector<Measure> measure_body(const BodyShape& shape) {
   return taker.taken();
 }
 
-std::vector<Measure> measure_body_girths(const BodyShape& shape) {
-  MeasureTaker taker(shape);
-  taker.take_girths();
-  for (const int side : {1, -1}) taker.take_limb_girths(side);
-  return taker.taken();
+namespace {
+
+/// The plane of a closed tape.
+BodyGirth girth_along(const Measure& measure) {
+  const std::vector<Vec3>& tape = measure.lines.front();
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : tape) middle += p / static_cast<double>(tape.size());
+  Vec3 moment = Vec3::Zero();
+  for (std::size_t i = 0; i + 1 < tape.size(); ++i) {
+    moment += (tape[i] - middle).cross(tape[i + 1] - middle);
+  }
+  if (moment.y() < 0) moment = -moment;
+  return {measure.name, middle, moment.normalized(), *measure.value};
 }
 
-std::vector<BodyGirth> girths_of(const std::vector<Measure>& measures) {
-  std::vector<BodyGirth> girths;
+}  // namespace
+
+BodyMeasures body_measures(const std::vector<Measure>& measures) {
+  BodyMeasures taken;
   for (const Measure& measure : measures) {
-    if (!measure.is_girth || !measure.value) continue;
-    const std::vector<Vec3>& tape = measure.lines.front();
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& p : tape) middle += p / static_cast<double>(tape.size());
-    Vec3 moment = Vec3::Zero();
-    for (std::size_t i = 0; i + 1 < tape.size(); ++i) {
-      moment += (tape[i] - middle).cross(tape[i + 1] - middle);
+    if (!measure.value || measure.is_angle) continue;
+    taken.lengths[measure.name] = *measure.value;
+    if (measure.is_girth) taken.girths.push_back(girth_along(measure));
+    for (const std::string side : {"left", "right"}) {
+      if (measure.name != side + "_shoulder_length") continue;
+      taken.shoulder_points[side] = measure.lines.front().back();
     }
-    if (moment.y() < 0) moment = -moment;
-    girths.push_back({measure.name, middle, moment.normalized(), *measure.value});
   }
-  return girths;
+  return taken;
 }
 
 const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body/body_measures.h"
 #include "geometry/body/find_landmarks.h"
 
 namespace toile {
@@ -31,19 +32,9 @@ inline constexpr double most_of_an_arm = 0.35;
 /// they are geodesics. Where a landmark is missing, so is the measure. Where an arm touches the
 /// trunk, its girth is missing. Costs some 120 slices and six geodesic().
 std::vector<Measure> measure_body(const BodyShape& shape);
-/// The girths among them, in the same order. Costs some 100 slices.
-std::vector<Measure> measure_body_girths(const BodyShape& shape);
 
-/// A girth that garments are compared with, and the plane in which it is taken. Metres.
-struct BodyGirth {
-  std::string name;  ///< of the Measure
-  Vec3 origin;       ///< the middle of the tape
-  Vec3 normal;       ///< unit length; not below level
-  double girth = 0;
-};
-
-/// The girths among the measures that have a value, in their order.
-std::vector<BodyGirth> girths_of(const std::vector<Measure>& measures);
+/// What garments are compared with, of the measures that have a value.
+BodyMeasures body_measures(const std::vector<Measure>& measures);
 
 /// The measure of that name; null where there is none.
 const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name);

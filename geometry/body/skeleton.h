@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/body/body_measures.h"
 #include "geometry/body/body_part.h"
 #include "geometry/error.h"
 #include "geometry/types.h"
@@ -43,6 +44,9 @@ struct Skeleton {
   std::map<std::string, Vec3> joints;  ///< by name
   std::vector<Segment> segments;
   std::optional<BodyMove> cleaned = {};  ///< none: not known
+  /// Of the body that had these joints when it was cleaned; standing_measures() says whether it
+  /// still has. None: not measured.
+  std::optional<BodyMeasures> measures = {};
 
   /// The joint of that name. Throws Error when there is none.
   const Vec3& joint(const std::string& name) const {

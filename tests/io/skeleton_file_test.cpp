@@ -57,6 +57,21 @@ TEST_F(SkeletonFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.segments[0].part, "torso");
   EXPECT_EQ(read.segments[0].from, "pelvis");
   EXPECT_EQ(read.segments[0].to, "waist");
+  EXPECT_FALSE(read.measures);
+  skeleton.measures.emplace();
+  skeleton.measures->girths = {{"waist", {0, 1.0 / 3, 0.01}, {0, 1, 0}, 0.8}};
+  skeleton.measures->lengths = {{"waist", 0.8}, {"left_arm_length", 0.56}};
+  skeleton.measures->shoulder_points = {{"left", {0.2, 1.4, 0}}};
+  write_skeleton(path_, skeleton);
+  const std::optional<BodyMeasures> measures = read_skeleton(path_).measures;
+  ASSERT_TRUE(measures);
+  ASSERT_EQ(measures->girths.size(), 1U);
+  EXPECT_EQ(measures->girths[0].name, "waist");
+  EXPECT_EQ(measures->girths[0].origin, skeleton.measures->girths[0].origin);
+  EXPECT_EQ(measures->girths[0].normal, skeleton.measures->girths[0].normal);
+  EXPECT_EQ(measures->girths[0].girth, 0.8);
+  EXPECT_EQ(measures->lengths, skeleton.measures->lengths);
+  EXPECT_EQ(measures->shoulder_points, skeleton.measures->shoulder_points);
 }
 
 TEST_F(SkeletonFile, ErrorsNameTheKey) {
@@ -64,6 +79,8 @@ TEST_F(SkeletonFile, ErrorsNameTheKey) {
   for (const std::string_view name : joint_names) skeleton.joints[std::string(name)] = {0, 1.1, 2};
   skeleton.segments = body_segments();
   skeleton.cleaned = BodyMove{};
+  skeleton.measures.emplace();
+  skeleton.measures->girths = {{"waist", {0, 1, 0}, {0, 1, 0}, 0.8}};
   write_skeleton(path_, skeleton);
   const auto sound = nlohmann::json::parse(read_file(path_));
   const auto expect = [&](const std::string& words, const auto& damage) {
@@ -72,6 +89,11 @@ TEST_F(SkeletonFile, ErrorsNameTheKey) {
     EXPECT_NE(error_of(damaged.dump()).find(words), std::string::npos) << error_of(damaged.dump());
   };
   expect("no error", [](auto& j) { j["more"] = 1; });
+  expect("girth_m: is no length", [](auto& j) { j["measures"]["girths"][0]["girth_m"] = -1; });
+  expect("normal: is not of length 1", [](auto& j) {
+    j["measures"]["girths"][0]["normal"] = {0, 2, 0};
+  });
+  expect("lengths_m", [](auto& j) { j["measures"].erase("lengths_m"); });
   expect(", units: is not m", [](auto& j) { j["units"] = "cm"; });
   expect("has no 'up'", [](auto& j) { j.erase("up"); });
   expect("has no 'joints'", [](auto& j) { j.erase("joints"); });

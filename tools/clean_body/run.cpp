@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/body/clean_body.h"
-#include "geometry/body/find_landmarks.h"
+#include "geometry/body/measures.h"
 #include "geometry/error.h"
 #include "io/floor_height.h"
 #include "io/mesh_file.h"
@@ -281,7 +281,11 @@ CleanedInput clean_input(BodyInput& input, const std::optional<Skeleton>& joints
   }
   if (!body.skeleton) warnings.push_back(body.report.no_skeleton);
   if (!body.report.missing.empty()) warnings.push_back(input.name + ": " + body.report.missing);
-  if (body.skeleton) cleaned.landmarks = given_landmarks(find_landmarks(body.mesh, input.name));
+  if (body.skeleton) {
+    const BodyShape shape = find_landmarks(body.mesh, input.name);
+    cleaned.landmarks = given_landmarks(shape);
+    body.skeleton->measures = body_measures(measure_body(shape));
+  }
   return cleaned;
 }
 

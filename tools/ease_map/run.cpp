@@ -96,7 +96,7 @@ class DrapeMeasurer {
  private:
   const TriangleMesh& body_;
   const Skeleton& skeleton_;
-  std::vector<Measure> measures_;
+  BodyMeasures measures_;
   GirthOptions options_;
 };
 

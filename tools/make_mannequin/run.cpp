@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "geometry/body/find_landmarks.h"
+#include "geometry/body/measures.h"
 #include "io/mesh_file.h"
 #include "io/output_file.h"
 #include "io/skeleton_file.h"
@@ -74,7 +74,9 @@ MadeMannequin made_mannequin(const MakeMannequinSettings& settings, const Common
   // Landmarks are those of a standing body.
   const bool stands = !is_pose_file(options.pose_name) && options.pose_name == "standing";
   if (stands) {
-    made.landmarks = given_landmarks(find_landmarks(made.mannequin.surface, "mannequin"));
+    const BodyShape shape = find_landmarks(made.mannequin.surface, "mannequin");
+    made.landmarks = given_landmarks(shape);
+    made.mannequin.skeleton.measures = body_measures(measure_body(shape));
   }
   made.report = report_json(made.mannequin);
   made.report.update(by_measures);

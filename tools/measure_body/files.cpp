@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// Hundredths of the unit: more digits mean nothing.
 double rounded(double value) { return std::round(100 * value) / 100; }
 
-Json measure_json(const BodyMeasures& all, const Measure& measure) {
+Json measure_json(const MeasuredBody& all, const Measure& measure) {
   Json json;
   json["value"] = measure.value ? Json(rounded(all.shown(measure))) : Json(nullptr);
   if (measure.is_angle) json["unit"] = "degrees";
@@ -52,7 +52,7 @@ struct Foreign {
   bool is_angle;
 };
 
-std::vector<Foreign> foreign_values(const BodyMeasures& all, DraftingProgram program,
+std::vector<Foreign> foreign_values(const MeasuredBody& all, DraftingProgram program,
                                     std::vector<std::string>& missing) {
   std::vector<Foreign> values;
   for (const ForeignMeasure& foreign : foreign_measures(program)) {
@@ -77,7 +77,7 @@ std::vector<Foreign> foreign_values(const BodyMeasures& all, DraftingProgram pro
   return values;
 }
 
-std::string vit_file(const BodyMeasures& all, const std::vector<Foreign>& values) {
+std::string vit_file(const MeasuredBody& all, const std::vector<Foreign>& values) {
   pugi::xml_document document;
   pugi::xml_node vit = document.append_child("vit");
   const auto text = [](pugi::xml_node parent, const char* name, const char* content) {
@@ -108,13 +108,13 @@ std::string vit_file(const BodyMeasures& all, const std::vector<Foreign>& values
 
 }  // namespace
 
-double BodyMeasures::shown(const Measure& measure) const {
+double MeasuredBody::shown(const Measure& measure) const {
   return measure.is_angle ? *measure.value : *measure.value / metres_in(unit);
 }
 
 double metres_in(const std::string& unit) { return unit == "inch" ? 0.0254 : 0.01; }
 
-Json measures_json(const BodyMeasures& all, const std::vector<MeasureDifference>& differences) {
+Json measures_json(const MeasuredBody& all, const std::vector<MeasureDifference>& differences) {
   Json json = {{"format", "toile-measures"},
                {"format_version", 1},
                {"body", valid_utf8(all.body_name)},
@@ -142,7 +142,7 @@ Json measures_json(const BodyMeasures& all, const std::vector<MeasureDifference>
   return json;
 }
 
-std::string measures_csv(const BodyMeasures& all) {
+std::string measures_csv(const MeasuredBody& all) {
   std::string csv =
       csv_line({"name", "value", "unit", "confidence", "iso", "definition", "reason"});
   for (const std::vector<Measure>* list : {&all.measures, &all.freehand}) {
@@ -156,7 +156,7 @@ std::string measures_csv(const BodyMeasures& all) {
   return csv;
 }
 
-std::string foreign_file(const BodyMeasures& all, DraftingProgram program,
+std::string foreign_file(const MeasuredBody& all, DraftingProgram program,
                          std::vector<std::string>& missing) {
   const std::vector<Foreign> values = foreign_values(all, program, missing);
   if (program == DraftingProgram::valentina) return vit_file(all, values);

@@ -12,7 +12,7 @@
 namespace toile {
 
 /// All that the files say.
-struct BodyMeasures {
+struct MeasuredBody {
   std::string body_name;
   std::vector<Measure> measures;
   std::vector<Measure> freehand;
@@ -32,14 +32,14 @@ struct MeasureDifference {
   double now = 0;
 };
 
-nlohmann::ordered_json measures_json(const BodyMeasures& measures,
+nlohmann::ordered_json measures_json(const MeasuredBody& measures,
                                      const std::vector<MeasureDifference>& differences);
 
 /// Columns: name, value, unit, confidence, iso, definition, reason.
-std::string measures_csv(const BodyMeasures& measures);
+std::string measures_csv(const MeasuredBody& measures);
 
 /// The file of another program, and in `missing` its names for which there is no value.
-std::string foreign_file(const BodyMeasures& measures, DraftingProgram program,
+std::string foreign_file(const MeasuredBody& measures, DraftingProgram program,
                          std::vector<std::string>& missing);
 
 /// Metres in the unit "cm" or "inch".

@@ -64,7 +64,7 @@ std::string spaced(std::string name) {
   return name;
 }
 
-std::vector<const Measure*> all_of(const BodyMeasures& measures) {
+std::vector<const Measure*> all_of(const MeasuredBody& measures) {
   std::vector<const Measure*> all;
   for (const Measure& measure : measures.measures) all.push_back(&measure);
   for (const Measure& measure : measures.freehand) all.push_back(&measure);
@@ -73,7 +73,7 @@ std::vector<const Measure*> all_of(const BodyMeasures& measures) {
 
 }  // namespace
 
-std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures) {
+std::string measures_page(const TriangleMesh& body, const MeasuredBody& measures) {
   ViewerPage page;
   page.title = "Measures of " + measures.body_name;
   page.paragraphs = {
@@ -123,7 +123,7 @@ std::string measures_page(const TriangleMesh& body, const BodyMeasures& measures
   return viewer_page(page);
 }
 
-std::string measures_picture(const TriangleMesh& body, const BodyMeasures& measures) {
+std::string measures_picture(const TriangleMesh& body, const MeasuredBody& measures) {
   PictureMesh skin_mesh;
   skin_mesh.mesh = body;
   skin_mesh.colour = skin;

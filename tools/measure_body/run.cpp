@@ -24,7 +24,7 @@ namespace toile {
 namespace {
 
 void take_all_freehand(const BodyShape& shape, const MeasureBodySettings& settings,
-                       BodyMeasures& all) {
+                       MeasuredBody& all) {
   std::set<std::string> names;
   const auto take = [&](const std::string& expression, const std::string& place) {
     Measure measure = take_freehand(shape, expression, place);
@@ -43,7 +43,7 @@ void take_all_freehand(const BodyShape& shape, const MeasureBodySettings& settin
   }
 }
 
-std::vector<MeasureDifference> differences_to(const std::filesystem::path& file, BodyMeasures& all,
+std::vector<MeasureDifference> differences_to(const std::filesystem::path& file, MeasuredBody& all,
                                               const CommonSettings& common) {
   std::vector<MeasureDifference> differences;
   const MeasureSet set = read_measures(file);
@@ -77,12 +77,12 @@ std::vector<MeasureDifference> differences_to(const std::filesystem::path& file,
   return differences;
 }
 
-bool has_nothing(const BodyMeasures& all) {
+bool has_nothing(const MeasuredBody& all) {
   return std::none_of(all.measures.begin(), all.measures.end(),
                       [](const Measure& measure) { return measure.value; });
 }
 
-void say_summary(const BodyMeasures& all, const CommonSettings& common) {
+void say_summary(const MeasuredBody& all, const CommonSettings& common) {
   const auto is_taken = [](const Measure& measure) { return measure.value.has_value(); };
   const auto taken =
       std::ranges::count_if(all.measures, is_taken) + std::ranges::count_if(all.freehand, is_taken);
@@ -103,10 +103,10 @@ void say_summary(const BodyMeasures& all, const CommonSettings& common) {
 
 }  // namespace
 
-BodyMeasures take_measures(const TriangleMesh& body, const std::string& name,
+MeasuredBody take_measures(const TriangleMesh& body, const std::string& name,
                            const MeasureBodySettings& settings) {
   const BodyShape shape = find_landmarks(body, name);
-  BodyMeasures all;
+  MeasuredBody all;
   all.body_name = name;
   all.unit = settings.unit;
   all.measures = measure_body(shape);
@@ -132,7 +132,7 @@ BodyMeasures take_measures(const TriangleMesh& body, const std::string& name,
 int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& common) {
   const TriangleMesh body = read_closed_body(settings.body);
   // Its file alone: what is written does not depend on where the body lies.
-  BodyMeasures all = take_measures(body, settings.body.filename().string(), settings);
+  MeasuredBody all = take_measures(body, settings.body.filename().string(), settings);
   std::vector<MeasureDifference> differences;
   if (settings.against) differences = differences_to(*settings.against, all, common);
   OutputFiles files;

@@ -26,7 +26,7 @@ struct MeasureBodySettings {
 
 /// Takes the measures of a body that `name` stands for. `settings` say the unit, and what to
 /// measure besides. Throws Error for a freehand expression that says nothing.
-BodyMeasures take_measures(const TriangleMesh& body, const std::string& name,
+MeasuredBody take_measures(const TriangleMesh& body, const std::string& name,
                            const MeasureBodySettings& settings);
 
 /// Measures the body and writes all files. Throws Error for what can't be read or written, and for

@@ -106,10 +106,9 @@ DressedGarment crotch_strips() {
 TEST(Lengths, CrotchLengthRunsAlongTheSeamAndItsRisesMeetWhereFrontMeetsBack) {
   DressedGarment strips = crotch_strips();
   std::vector<PanelRole> roles(4, PanelRole::trousers);
-  Measure of_body;
-  of_body.name = "crotch_length";
-  of_body.value = 0.70;
-  const auto lengths = measure_lengths(strips, test::figure(), {of_body}, roles, {});
+  BodyMeasures of_body;
+  of_body.lengths["crotch_length"] = 0.70;
+  const auto lengths = measure_lengths(strips, test::figure(), of_body, roles, {});
   const GarmentLength* whole = length(lengths, "crotch length");
   ASSERT_NE(whole, nullptr);
   const double under = std::hypot(0.01, 0.05) + std::hypot(0.01, 0.10);
@@ -151,11 +150,9 @@ TEST(Lengths, AcrossShoulderRunsOverTheCentreBack) {
   armholes[0].nodes = {20, 60};  // x = 0.2, at 1.2 and 1.3
   armholes[1].name = "right armhole";
   armholes[1].nodes = {0, 40};
-  std::vector<Measure> of_body(2);
-  of_body[0].name = "left_back_across_shoulder";
-  of_body[0].value = 0.17;
-  of_body[1].name = "right_back_across_shoulder";
-  of_body[1].value = 0.18;
+  BodyMeasures of_body;
+  of_body.lengths["left_back_across_shoulder"] = 0.17;
+  of_body.lengths["right_back_across_shoulder"] = 0.18;
   const auto lengths = measure_lengths(top, test::figure(), of_body, worn_as(top.panels), armholes);
   const GarmentLength* across = length(lengths, "across shoulder");
   ASSERT_NE(across, nullptr);

@@ -76,12 +76,13 @@ TEST(Slits, AShortOneIsAVent) { EXPECT_TRUE(slits_of(tube_sewn(1, test::tube_row
 
 /// Sews half of a waistband to the top of a half of the tube.
 void add_band(PanelMesh& garment, const std::string& name, int half, double start) {
-  add_panel(garment, name, test::grid(test::pi * test::tube_radius, 0.04, test::tube_columns, 2),
-            [&](const Vec2& p) {
-              const double angle = start + p.x() / test::tube_radius;
-              return Vec3(test::tube_radius * std::sin(angle), 1.4 + p.y(),
-                          test::tube_radius * std::cos(angle));
-            });
+  test::add_panel(garment, name,
+                  test::grid(test::pi * test::tube_radius, 0.04, test::tube_columns, 2),
+                  [&](const Vec2& p) {
+                    const double angle = start + p.x() / test::tube_radius;
+                    return Vec3(test::tube_radius * std::sin(angle), 1.4 + p.y(),
+                                test::tube_radius * std::cos(angle));
+                  });
   std::vector<int> top;
   std::vector<int> bottom;
   for (int i = 0; i <= test::tube_columns; ++i) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 #include "geometry/body/tape.h"
 #include "geometry/decimate.h"
 #include "geometry/geodesic.h"
+#include "geometry/slice.h"
 #include "tests/support/noise.h"
 #include "tests/support/shapes.h"
 
@@ -68,17 +70,20 @@ double most_moved(const TriangleMesh& changed, const Back& back,
   return most;
 }
 
-TEST(Measures, GirthsAloneAreThoseOfAllMeasures) {
-  const std::vector<BodyGirth> among = girths_of(measures());
-  const std::vector<BodyGirth> alone = girths_of(measure_body_girths(shape()));
-  ASSERT_GT(among.size(), 10U);
-  ASSERT_EQ(alone.size(), among.size());
-  for (std::size_t i = 0; i < among.size(); ++i) {
-    EXPECT_EQ(alone[i].name, among[i].name);
-    EXPECT_EQ(alone[i].origin, among[i].origin);
-    EXPECT_EQ(alone[i].normal, among[i].normal);
-    EXPECT_EQ(alone[i].girth, among[i].girth);
+TEST(Measures, GirthsLieInThePlanesThatAreGiven) {
+  const BodyMeasures all = body_measures(measures());
+  ASSERT_GT(all.girths.size(), 10U);
+  for (const BodyGirth& girth : all.girths) {
+    EXPECT_NEAR(girth.normal.norm(), 1, 1e-9);
+    EXPECT_EQ(all.lengths.at(girth.name), girth.girth);
+    double nearest = 1;
+    for (const Section& section : slice(mannequin().surface, girth.origin, girth.normal)) {
+      nearest = std::min(nearest, std::abs(section.girth - girth.girth));
+    }
+    EXPECT_LT(nearest, 1e-6) << girth.name;
   }
+  EXPECT_GT(all.shoulder_points.at("left").x(), 0.1);
+  EXPECT_LT(all.shoulder_points.at("right").x(), -0.1);
 }
 
 TEST(Measures, GirthsOfTheMannequinAreThoseItWasMadeTo) {
