@@ -14,10 +14,10 @@ namespace toile {
 /// {"format": "toile-body", "version": 1, "units": "m", "up": "y",
 ///  "joints": {name: [x, y, z]}, "segments": [{"part", "from", "to"}],
 ///  "landmarks": {name: {"place_m": [x, y, z], "confidence": 0.9}},
-///  "measures": {"girths": [...], "lengths_m": {name: 0.6}, "shoulder_points_m": {side: place}},
 ///  "cleaned": {"rotation": rows, "translation_m": [x, y, z], "metres_per_unit": 0.01}}.
-/// A girth has name, origin_m, normal and girth_m. `landmarks` is there unless they are empty,
-/// `cleaned` and `measures` where those of `skeleton` are.
+///
+/// `landmarks` is there unless they are empty, `cleaned` and `measures` where those of `skeleton`
+/// are. `measures` has girths (name, origin_m, normal, girth_m), lengths_m and shoulder_points_m.
 void write_skeleton(const OutputPath& path, const Skeleton& skeleton,
                     const Landmarks& landmarks = {});
 /// The text of such a file.
