@@ -19,6 +19,7 @@
 #include "pattern/seams/find_seams.h"
 #include "pattern/seams/sewn_file.h"
 #include "pattern/seams/shell_panels.h"
+#include "pattern/seams/spare_panels.h"
 #include "pattern/seams/split_search.h"
 #include "tools/find_seams/report.h"
 #include "tools/remarks.h"
@@ -203,7 +204,7 @@ SewnPattern sew_pattern(std::string drawn_text, const std::string& name,
   FindSeamsOptions options;
   options.drawn_walk = has_drawn_walk(drawn_text, name);
   const std::size_t stated = drawn.stitches.size();
-  const std::vector<LeftOut> out = left_out(drawn, settings);
+  std::vector<LeftOut> out = left_out(drawn, settings);
   std::map<std::string, std::string> kinds;
   for (const LeftOut& panel : out) kinds[panel.name] = panel.kind;
   drawn_text = with_left_out(drawn_text, name, kinds);
@@ -230,6 +231,25 @@ SewnPattern sew_pattern(std::string drawn_text, const std::string& name,
     };
   }
   sewn.found = find_with(settings.sewn, drawn_text, name, drawn, options);
+  if (settings.sewn.empty() && options.given.empty()) {
+    const Pattern& searched = sewn.found.pattern;
+    std::set<int> spare = spare_panels(searched, options, sewn.found.found);
+    std::erase_if(spare, [&](int panel) {
+      return std::ranges::any_of(settings.with, [&](const std::string& with) {
+        return with == "all" || with == searched.panels[panel].name;
+      });
+    });
+    for (const int panel : spare) {
+      out.push_back({searched.panels[panel].name, "another panel has its place"});
+      kinds[out.back().name] = out.back().kind;
+    }
+    if (!spare.empty()) {
+      drawn_text = with_left_out(drawn_text, name, kinds);
+      remarks.clear();
+      drawn = without_left_out(parse_drawn_pattern(drawn_text, name, remarks), told_below);
+      sewn.found = find_with(settings.sewn, drawn_text, name, drawn, options);
+    }
+  }
   const SplitSeams& split = sewn.found;
   const Pattern& pattern = split.pattern;
   const FoundSeams& found = split.found;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/body/measures.h"
 #include "geometry/body/mannequin/mannequin.h"
+#include "geometry/body/measures.h"
 
 namespace toile {
 namespace standing_measures_test {
