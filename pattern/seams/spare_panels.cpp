@@ -118,6 +118,7 @@ class Reduced {
       std::optional<Reduced> best;
       double least = open;
       for (const std::set<int>& pair : pairs()) {
+        if (!is_attached(pair)) continue;
         Reduced other = *this;
         other.leave_out(pair);
         const double now = other.wanting();
@@ -149,6 +150,15 @@ class Reduced {
   const WalkedEdge& edge(int e) const { return likely_->evidence.edges[e]; }
   int panel_of(int e) const { return edge(e).ref.panel; }
   bool is_held(int edge) const { return partners_[edge] >= 0 && decided_[edge] != 0; }
+
+  /// Whether a seam joins one of these panels to another one.
+  bool is_attached(const std::set<int>& panels) const {
+    for (int e = 0; e < edges(); ++e) {
+      if (partners_[e] < 0 || !panels.contains(panel_of(e))) continue;
+      if (!panels.contains(panel_of(partners_[e]))) return true;
+    }
+    return false;
+  }
 
   /// The panels that are there, a left and a right one together.
   std::vector<std::set<int>> pairs() const {
