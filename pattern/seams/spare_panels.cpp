@@ -320,7 +320,8 @@ std::set<int> spare_panels(const Pattern& pattern, const FindSeamsOptions& optio
   Reduced garment(pattern, options, found);
   garment.reduce();
   garment.leave_out_loose();
-  return garment.without();
+  // Where seams are wanted still, the garment is not understood.
+  return garment.wanting() > 0 ? std::set<int>() : garment.without();
 }
 
 }  // namespace toile

@@ -14,8 +14,8 @@ namespace toile {
 /// seam. An open edge of a panel that is left out counts where its partner is open, too.
 ///
 /// A loose part would have the seams of other panels if they were not there, and fits no open edge
-/// better: it is spare, too. What has the shape of a panel that
-/// stays, or is its mirror image, is not spare.
+/// better: it is spare, too. Nothing is spare where seams are wanted in the end. What has the shape
+/// of a panel that stays, or is its mirror image, is not spare.
 ///
 /// A left and a right panel go together. Costs a short search a panel; none where no seam is
 /// wanted.
