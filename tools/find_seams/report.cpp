@@ -60,6 +60,7 @@ std::vector<EdgeRef> open_edges(const Pattern& pattern, const FoundSeams& found)
   }
   std::vector<EdgeRef> open;
   for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
+    if (!pattern.panels[p].left_out.empty()) continue;
     for (int e = 0; e < static_cast<int>(pattern.panels[p].edges.size()); ++e) {
       if (!used.contains({p, e})) open.push_back({p, e});
     }

@@ -180,6 +180,25 @@ std::vector<LeftOut> left_out(const Pattern& pattern, const FindSeamsSettings& s
   return named;
 }
 
+/// Marks the panels whose place another one has, and drops what was found of them.
+std::vector<LeftOut> leave_out_spare(const FindSeamsSettings& settings,
+                                     const FindSeamsOptions& options, SplitSeams& split) {
+  std::vector<LeftOut> out;
+  for (const int spare : spare_panels(split.pattern, options, split.found)) {
+    PatternPanel& panel = split.pattern.panels[spare];
+    const auto is_kept = [&](const std::string& with) {
+      return with == "all" || with == panel.name;
+    };
+    if (std::ranges::any_of(settings.with, is_kept)) continue;
+    panel.left_out = "another panel has its place";
+    out.push_back({panel.name, panel.left_out});
+    std::erase_if(split.found.seams, [&](const FoundSeam& seam) {
+      return seam.a.panel == spare || seam.b.panel == spare;
+    });
+  }
+  return out;
+}
+
 /// Says which panels would fall off: no seam holds them that is sewn.
 void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
                    std::vector<Remark>& remarks) {
@@ -187,7 +206,7 @@ void warn_of_loose(const Pattern& pattern, const std::vector<FoundSeam>& sewn,
   for (const FoundSeam& seam : sewn) held.insert({seam.a.panel, seam.b.panel});
   if (pattern.panels.size() < 2) return;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-    if (held.contains(static_cast<int>(p))) continue;
+    if (held.contains(static_cast<int>(p)) || !pattern.panels[p].left_out.empty()) continue;
     const std::string& name = pattern.panels[p].name;
     remarks.push_back({true, pattern.source + ": no seam holds panel " + in_quotes(name) +
                                  "; sew it by --sew, or leave it out by --without"});
@@ -232,23 +251,11 @@ SewnPattern sew_pattern(std::string drawn_text, const std::string& name,
   }
   sewn.found = find_with(settings.sewn, drawn_text, name, drawn, options);
   if (settings.sewn.empty() && options.given.empty()) {
-    const Pattern& searched = sewn.found.pattern;
-    std::set<int> spare = spare_panels(searched, options, sewn.found.found);
-    std::erase_if(spare, [&](int panel) {
-      return std::ranges::any_of(settings.with, [&](const std::string& with) {
-        return with == "all" || with == searched.panels[panel].name;
-      });
-    });
-    for (const int panel : spare) {
-      out.push_back({searched.panels[panel].name, "another panel has its place"});
-      kinds[out.back().name] = out.back().kind;
+    for (const LeftOut& panel : leave_out_spare(settings, options, sewn.found)) {
+      kinds[panel.name] = panel.kind;
+      out.push_back(panel);
     }
-    if (!spare.empty()) {
-      drawn_text = with_left_out(drawn_text, name, kinds);
-      remarks.clear();
-      drawn = without_left_out(parse_drawn_pattern(drawn_text, name, remarks), told_below);
-      sewn.found = find_with(settings.sewn, drawn_text, name, drawn, options);
-    }
+    sewn.found.text = with_left_out(sewn.found.text, name, kinds);
   }
   const SplitSeams& split = sewn.found;
   const Pattern& pattern = split.pattern;
