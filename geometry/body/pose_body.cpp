@@ -113,7 +113,8 @@ PosedBody pose_body(const TriangleMesh& body, const Skeleton& skeleton, const Po
   }
   posed.crossings = open_crossings(posed.surface);
   posed.skeleton = moved(skeleton, sides);
-  posed.skeleton.cleaned.reset();  // no rigid move brings the file's body here
+  posed.skeleton.cleaned.reset();   // no rigid move brings the file's body here
+  posed.skeleton.measures.reset();  // they are of the body that stood
 
   double floor = std::numeric_limits<double>::max();
   for (const Vec3& p : posed.surface.points) floor = std::min(floor, p.y());

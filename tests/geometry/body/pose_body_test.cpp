@@ -88,6 +88,14 @@ TEST(PoseBody, JointsAreWhereThePosePutsThem) {
 }
 
 // The posed skin lies about the posed bones: hands and feet are where the skeleton says.
+TEST(PoseBody, HasNoMeasuresOfTheBodyThatStood) {
+  Skeleton skeleton = standing().skeleton;
+  skeleton.measures.emplace();
+  skeleton.measures->lengths["hip"] = 1;
+  EXPECT_FALSE(
+      pose_body(standing().surface, skeleton, walking_pose(), "mannequin").skeleton.measures);
+}
+
 TEST(PoseBody, TheSkinGoesWithTheBones) {
   const PosedBody body = posed(sitting_pose());
   const auto nearest = [&body](const Vec3& joint) {
