@@ -68,7 +68,6 @@ std::string ease(const Drape& drape, const Body& body, const EaseChoices& choice
     write_mesh(settings.body, skin_in(body));
     if (!body.joints.empty()) write_file(skeleton_path(settings.body), body.joints);
     CommonSettings common = settings_of("ease-map");
-    common.output = folder.at("ease.html");
     common.report = folder.at("ease.json");
     try {
       run_ease_map(settings, common);

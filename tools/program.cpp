@@ -138,10 +138,13 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
     }
     po::notify(given);
     if (program.check) program.check(given);
-    if (given.count("output") == 0)
+    const auto is_given = [&](const std::string& option) { return given.count(option) != 0; };
+    if (is_given("output")) {
+      settings.output = given["output"].as<std::string>();
+    } else if (std::ranges::none_of(program.instead_of_output, is_given)) {
       return usage_error(program,
                          program.writes_folder ? "-o FOLDER is missing" : "-o FILE is missing");
-    settings.output = given["output"].as<std::string>();
+    }
     if (given.count("report") != 0) settings.report = given["report"].as<std::string>();
     settings.threads = given["threads"].as<int>();
     settings.quiet = given["quiet"].as<bool>();
@@ -162,7 +165,7 @@ int run_program(int argc, char** argv, const CommandLineProgram& program) {
                   static_cast<std::size_t>(settings.threads));
   }
   try {
-    if (!program.output_extensions.empty()) {
+    if (!program.output_extensions.empty() && given.count("output") != 0) {
       check_extension(settings.output, program.output_extensions);
     }
     const Job job = program.prepare(given, settings);

@@ -65,6 +65,8 @@ struct CommandLineProgram {
   std::function<void(const boost::program_options::variables_map&)> check;
   /// What -o has to end in, ".obj" say; none: the program looks at it itself.
   std::vector<std::string> output_extensions;
+  /// Other options of files: where one of them is given, -o may be left out, and is empty.
+  std::vector<std::string> instead_of_output = {};
   /// -o is a folder for files of fixed names, the report among them: there is no --report.
   bool writes_folder = false;
   /// Reads no more than it takes to know all files. What it is given outlives the job.
@@ -76,7 +78,8 @@ boost::program_options::options_description common_options(const CommandLineProg
 
 /// Runs a program. It parses the command line, answers --help and --version, limits the threads,
 /// checks that no file would be lost, and does the work. An exception becomes one message and its
-/// exit code. -o is required. A signal that ends the program leaves no temporary file.
+/// exit code. -o is required, but for instead_of_output. A signal that ends the program leaves no
+/// temporary file.
 int run_program(int argc, char** argv, const CommandLineProgram& program);
 
 /// Toile's own.

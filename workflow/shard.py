@@ -46,7 +46,7 @@ def compared(batch, tools, target):
         return {pathlib.Path(row.pop("report")).name: row for row in csv.DictReader(opened)}
 
 
-def dress(rows, output, tools, threads, timeout, memory, target, is_archived, attempt):
+def dress(rows, output, tools, threads, timeout, memory, target, pictures, is_archived, attempt):
     folder = output.with_suffix("")
     batch, archive = folder / "batch", folder.with_name(folder.name + ".tar.gz")
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -63,7 +63,7 @@ def dress(rows, output, tools, threads, timeout, memory, target, is_archived, at
     (batch / "summary.md").unlink(missing_ok=True)
     forget(batch, rows, FULL + KILLED)
     subprocess.run([f"{tools}/toile", "batch", folder / "manifest.csv", "-o", batch, "--resume", "-j", str(threads),
-                    "--threads", "1", "--timeout", f"{timeout}s", "--memory", f"{memory}MB"],
+                    "--threads", "1", "--timeout", f"{timeout}s", "--memory", f"{memory}MB", *([] if pictures else ["--no-pictures"])],
                    stdout=subprocess.DEVNULL, pass_fds=[lock.fileno()])
     if not (batch / "summary.md").exists():  # it is written last
         sys.exit("toile batch did not end its work")
@@ -87,4 +87,4 @@ with open(snakemake.log[0], "a") as log:
     os.dup2(log.fileno(), sys.stderr.fileno())
     dress(snakemake.params.rows, pathlib.Path(snakemake.output[0]), os.path.dirname(snakemake.input.programs),
           snakemake.threads, snakemake.params.timeout, snakemake.params.memory, snakemake.params.target,
-          snakemake.config.get("archive"), snakemake.resources.attempt)
+          snakemake.config.get("pictures", True), snakemake.config.get("archive"), snakemake.resources.attempt)

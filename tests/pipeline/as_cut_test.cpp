@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pattern/file/pattern_file.h"
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace as_cut_test {
@@ -48,10 +48,7 @@ class AsCut : public testing::Test {
                             folder / "dressed.json", "--quality", "draft", "-q"})
                   .exit_code,
               0);
-    EXPECT_EQ(run("ease-map", {"--body", body, dressed, "-o", folder / "ease.html", "--report",
-                               folder / "ease.json", "-q"})
-                  .exit_code,
-              0);
+    succeed("ease-map", {"--body", body, dressed, "--report", folder / "ease.json", "-q"});
     return Json::parse(read_text(folder / "ease.json"));
   }
 
@@ -96,19 +93,13 @@ class AsCut : public testing::Test {
     return 0;
   }
 
-  fs::path mannequin() {
-    const fs::path body = folder / "body.ply";
-    EXPECT_EQ(run("make-mannequin", {"-o", body, "--edge-length", "14mm", "-q"}).exit_code, 0);
-    return body;
-  }
-
   ScratchFolder folder;
 };
 
 const fs::path samples = fs::path(TOILE_SOURCE_DIR) / "samples";
 
 TEST_F(AsCut, EachPanelsWidthIsThePatterns) {
-  const fs::path body = mannequin();
+  const fs::path body = mannequin("14mm");
   for (const std::string name : {"tshirt", "bodice_dress", "elastic_skirt"}) {
     const fs::path pattern = samples / (name + ".json");
     expect_widths_of(pattern, ease(body, pattern, "25mm"));
@@ -116,7 +107,7 @@ TEST_F(AsCut, EachPanelsWidthIsThePatterns) {
 }
 
 TEST_F(AsCut, ATShirtsBustIsTheSameAtAnyResolutionFromAnyStart) {
-  const fs::path body = mannequin();
+  const fs::path body = mannequin("14mm");
   // Its four panels are 26.5 cm wide at the hem and 26 at the armholes, 41.5 cm above.
   constexpr double cut = 104.15;
   for (const std::string edge_length : {"25mm", "15mm", "10mm"}) {

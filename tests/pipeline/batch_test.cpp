@@ -140,6 +140,28 @@ TEST_F(ToileBatch, HasTheBitsOfOneByOne) {
   EXPECT_EQ(read_text(out / "band" / "dressed.obj"), read_text(folder / "dressed.obj"));
 }
 
+TEST_F(ToileBatch, FiguresAloneAreTheSameWithoutPictures) {
+  const fs::path out = folder / "out";
+  const Words words = {*shared / "garments.csv", "-o", out, "--no-pictures"};
+  const pipeline::Run bare = batch(words);
+  ASSERT_EQ(bare.exit_code, 0) << bare.err;
+  for (const char* file : {"dressed.obj", "garment.obj"}) {
+    EXPECT_EQ(read_text(out / "top" / file), read_text(*shared / "out" / "top" / file)) << file;
+  }
+  EXPECT_EQ(results(out)["top"]["waist_ease_cm"], results(*shared / "out")["top"]["waist_ease_cm"]);
+  for (const char* file : {"ease.html", "front.png", "back.png"}) {
+    EXPECT_FALSE(fs::exists(out / "top" / file)) << file;
+    EXPECT_EQ(read_text(out / "index.html").find(file), std::string::npos) << file;
+  }
+  // Nothing is missing but where pictures are asked for.
+  const auto resumed = [&](Words more) {
+    more.insert(more.end(), {"--resume", "--timeout", "10ms"});
+    return batch(more).exit_code;
+  };
+  EXPECT_EQ(resumed(words), 0);
+  EXPECT_EQ(resumed({words.begin(), words.end() - 1}), 1);
+}
+
 TEST_F(ToileBatch, ResumeRedoesWhatIsMissing) {
   const fs::path out = copy_of_batch();
   fs::remove(out / "band" / "dressed.obj");

@@ -75,6 +75,23 @@ TEST_F(EaseMap, WritesAllItsFiles) {
                                                        "e.ply", "e.png", "ease.html"}));
 }
 
+TEST_F(EaseMap, FiguresAloneNeedNoPage) {
+  const fs::path with_page = scratch / "with.json", alone = scratch / "alone.json";
+  ASSERT_EQ(ease_map({"--report", with_page}).exit_code, 0);
+  fs::remove(html);
+  const auto done = run("ease-map", {"--body", body, dressed, "--report", alone});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.err.find("wrote " + alone.string()), std::string::npos) << done.err;
+  EXPECT_EQ(scratch.names(),
+            (std::vector<std::string>{"alone.json", "body.ply", "dressed.obj", "with.json"}));
+  const auto figures = [](const fs::path& file) {
+    nlohmann::json report = nlohmann::json::parse(read_text(file));
+    report.erase("seconds");
+    return report;
+  };
+  EXPECT_EQ(figures(alone), figures(with_page));
+}
+
 TEST_F(EaseMap, MeasuresGirthsWhereThereAreJoints) {
   Skeleton skeleton;
   skeleton.joints = {{"pelvis", {0, 0.85, 0}}, {"waist", {0, 1.05, 0}}, {"chest", {0, 1.25, 0}}};

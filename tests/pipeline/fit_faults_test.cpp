@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace fit_faults_test {
@@ -15,11 +15,6 @@ using Json = nlohmann::json;
 
 class FitFaults : public testing::Test {
  protected:
-  void SetUp() override {
-    ASSERT_EQ(run("make-mannequin", {"-o", folder / "m.ply", "-q"}).exit_code, 0);
-    ASSERT_EQ(run("clean-body", {folder / "m.ply", "-o", folder / "body.ply", "-q"}).exit_code, 0);
-  }
-
   /// The ease map's report of a sample whose corners were moved, in centimetres.
   Json ease(const std::string& sample,
             const std::function<void(const std::string& panel, double& x, double& y)>& move) {
@@ -38,7 +33,7 @@ class FitFaults : public testing::Test {
                   {folder / "p.json", "-o", folder / "g.obj", "--edge-length", "15mm", "-q"})
                   .exit_code,
               0);
-    EXPECT_EQ(run("dress", {"--body", folder / "body.ply", folder / "g.obj", "-o", folder / "d.obj",
+    EXPECT_EQ(run("dress", {"--body", clean_mannequin(), folder / "g.obj", "-o", folder / "d.obj",
                             "--report", folder / "d.json", "-q"})
                   .exit_code,
               0);
@@ -47,9 +42,8 @@ class FitFaults : public testing::Test {
 
   /// The same drape's, with more options.
   Json ease_map(const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = {
-        "--body",          folder / "body.ply", folder / "d.obj",  "-o",
-        folder / "e.html", "--report",          folder / "e.json", "-q"};
+    std::vector<std::string> arguments = {"--body",   clean_mannequin(), folder / "d.obj",
+                                          "--report", folder / "e.json", "-q"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_EQ(run("ease-map", arguments).exit_code, 0);
     return Json::parse(read_text(folder / "e.json"));

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/support/run_program.h"
+#include "tests/support/worn_sample.h"
 
 namespace toile::pipeline {
 namespace loads_test {
@@ -14,11 +14,6 @@ using Json = nlohmann::json;
 
 class Loads : public testing::Test {
  protected:
-  void SetUp() override {
-    ASSERT_EQ(run("make-mannequin", {"-o", folder / "m.ply", "-q"}).exit_code, 0);
-    ASSERT_EQ(run("clean-body", {folder / "m.ply", "-o", body, "-q"}).exit_code, 0);
-  }
-
   void dress(const std::string& sample, const std::vector<std::string>& options = {}) {
     const fs::path pattern = fs::path(TOILE_SOURCE_DIR) / "samples" / (sample + ".json");
     ASSERT_EQ(run("mesh-pattern", {pattern, "-o", mesh, "--edge-length", "20mm", "-q"}).exit_code,
@@ -30,9 +25,8 @@ class Loads : public testing::Test {
   }
 
   pipeline::Run ease_map(const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> words = {"--body",   body,   dressed, "-o", folder / "e.html",
-                                      "--report", report, "--csv", csv,  "--ply",
-                                      ply};
+    std::vector<std::string> words = {"--body", body, dressed, "--report", report,
+                                      "--csv",  csv,  "--ply", ply};
     words.insert(words.end(), options.begin(), options.end());
     return run("ease-map", words);
   }
@@ -40,7 +34,7 @@ class Loads : public testing::Test {
   Json reported() const { return Json::parse(read_text(report)); }
 
   ScratchFolder folder;
-  fs::path body = folder / "body.ply", mesh = folder / "g.obj", dressed = folder / "d.obj",
+  fs::path body = clean_mannequin(), mesh = folder / "g.obj", dressed = folder / "d.obj",
            report = folder / "e.json", csv = folder / "e.csv", ply = folder / "e.ply";
 };
 

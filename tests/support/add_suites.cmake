@@ -16,6 +16,6 @@ foreach(suite ${suites})
   add_test("${folder}/${suite}" "${program}" "--gtest_filter=${suite}.*")
   # A suite ends with the name of a skipped test only when none failed.
   set_tests_properties("${folder}/${suite}" PROPERTIES
-    LABELS ${label} TIMEOUT ${timeout}
+    LABELS ${label} TIMEOUT ${timeout} PROCESSOR_AFFINITY ON
     SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\] [^ \n]+\n*$")
 endforeach()

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,14 +23,37 @@ inline fs::path sample(const std::string& name) {
   return fs::path(TOILE_SOURCE_DIR) / "samples" / (name + ".json");
 }
 
+/// The mannequin as make-mannequin writes it at this edge length, its joints beside it: a file to
+/// read only, made once by a test program.
+inline const fs::path& mannequin(const std::string& edge_length = "9mm") {
+  static const ScratchFolder folder;
+  static std::map<std::string, fs::path> made;
+  fs::path& file = made[edge_length];
+  if (file.empty()) {
+    file = folder / (edge_length + ".ply");
+    succeed("make-mannequin", {"-o", file, "--edge-length", edge_length, "-q"});
+  }
+  return file;
+}
+
+/// The same, as clean-body writes it.
+inline const fs::path& clean_mannequin() {
+  static const ScratchFolder folder;
+  static const fs::path file = [] {
+    succeed("clean-body", {mannequin(), "-o", folder / "body.ply", "-q"});
+    return folder / "body.ply";
+  }();
+  return file;
+}
+
 /// A folder of its own for a mannequin, its garment, and what comes of dressing it.
 class WornSample : public testing::Test {
  protected:
   /// `fineness`: the mannequin's edges; none: as it comes.
-  void make_body(const std::string& fineness = "") const {
-    std::vector<std::string> words = {"-o", body, "-q"};
-    if (!fineness.empty()) words.insert(words.end(), {"--edge-length", fineness});
-    succeed("make-mannequin", words);
+  void make_body(const std::string& fineness = "9mm") const {
+    const fs::path& made = mannequin(fineness);
+    fs::copy(made, body);
+    fs::copy(fs::path(made).replace_extension("body.json"), folder / "body.body.json");
   }
 
   void mesh(const fs::path& pattern, const std::string& edge_length) const {

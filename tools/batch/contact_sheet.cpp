@@ -88,7 +88,8 @@ void add_card(std::ostream& page, const Json& report) {
   page << "<article class=\"" << html_escaped(verdict) << "\">\n<h2>" << html_escaped(name)
        << "</h2>\n";
   const bool is_error = verdict == error_verdict;
-  if (!is_error) {
+  const bool has_pictures = !is_error && report["outputs"].contains("front.png");
+  if (has_pictures) {
     page << "<div class=\"pictures\">" << picture(name, "front") << picture(name, "back")
          << "</div>\n";
   }
@@ -119,7 +120,8 @@ void add_card(std::ostream& page, const Json& report) {
   line(figures, " class=\"small\"");
   page << "<p class=\"small\">";
   if (!is_error) {
-    page << link(name, "ease.html", "ease") << " · " << link(name, "dressed.json", "drape")
+    if (has_pictures) page << link(name, "ease.html", "ease") << " · ";
+    page << link(name, "ease.json", "figures") << " · " << link(name, "dressed.json", "drape")
          << " · ";
   }
   page << link(name, "report.json", "report") << " · " << link(name, "log.txt", "log")

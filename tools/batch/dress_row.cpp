@@ -77,7 +77,7 @@ class RowRun {
 
   /// Writes the problem to the log, and throws Failed.
   [[noreturn]] void fail(const std::string& program, const std::string& problem);
-  /// Seconds. Throws Failed.
+  /// Seconds. An output that is empty is none. Throws Failed.
   double run(const std::string& program, const fs::path& output, Words words);
 
   /// Gives the programs to come the whole time of a garment again.
@@ -106,7 +106,8 @@ void RowRun::fail(const std::string& program, const std::string& problem) {
 
 double RowRun::run(const std::string& program, const fs::path& output, Words words) {
   words.insert(words.begin(), program);
-  words.insert(words.end(), {"-o", output.string(), "--threads", std::to_string(limits_.threads)});
+  if (!output.empty()) words.insert(words.end(), {"-o", output.string()});
+  words.insert(words.end(), {"--threads", std::to_string(limits_.threads)});
   const ChildEnd ended = run_toile(words, {end_, limits_.memory});
   peak_memory_ = std::max(peak_memory_, ended.peak_MiB);
   std::ofstream log(files_.log, std::ios::app | std::ios::binary);
@@ -163,11 +164,14 @@ Json dress_row(const BatchRow& row, const CleanedBody& body, const GarmentFiles&
     outcome = outcome_of(read_file(files.dress_report), files.dress_report.string());
     // A drape that took nearly all of the time keeps its verdict.
     run.renew_time();
-    run.run("ease-map", files.ease, with({"--report", files.ease_report.string()}));
+    run.run("ease-map", limits.pictures ? files.ease : fs::path(),
+            with({"--report", files.ease_report.string()}));
     add_girth_ease(read_file(files.ease_report), files.ease_report.string(), outcome["figures"]);
-    run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
-    run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
-    for (const fs::path& file : files.made()) {
+    if (limits.pictures) {
+      run.run("render", files.front, with({"--views", "front", "--whole", "--width", "420"}));
+      run.run("render", files.back, with({"--views", "back", "--whole", "--width", "420"}));
+    }
+    for (const fs::path& file : files.made(limits.pictures)) {
       outcome["outputs"][file.filename().string()] = sha256_of_file(file);
     }
     std::vector<Warning> warnings = body.warnings;

@@ -20,6 +20,7 @@ struct RowLimits {
   std::optional<double> seconds;
   std::optional<std::uint64_t> memory;  ///< bytes of addresses, of each program
   int threads = 1;                      ///< of each program
+  bool pictures = true;                 ///< false: no page and no pictures
 };
 
 /// A body that was cleaned, or why it could not be.

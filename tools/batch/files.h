@@ -37,10 +37,13 @@ struct GarmentFiles {
         log(folder / "log.txt"),
         report(folder / "report.json") {}
 
-  /// All but the log and the report, in the order in which they are written.
-  std::vector<std::filesystem::path> made() const {
-    return {garment, garment_json, mesh_report, dressed, dress_report,
-            ease,    ease_report,  front,       back};
+  /// All but the log and the report, in the order in which they are written; what is only to look
+  /// at with `pictures`.
+  std::vector<std::filesystem::path> made(bool pictures = true) const {
+    std::vector<std::filesystem::path> all = {garment, garment_json, mesh_report,
+                                              dressed, dress_report, ease_report};
+    if (pictures) all.insert(all.end(), {ease, front, back});
+    return all;
   }
 
   std::filesystem::path folder;

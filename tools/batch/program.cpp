@@ -43,6 +43,7 @@ Job prepare(const po::variables_map& given, const CommonSettings& common) {
       throw UsageError("--memory", "is less than a program needs to start", "give 100MB or more");
     }
   }
+  settings.limits.pictures = !given["no-pictures"].as<bool>();
   settings.resume = given["resume"].as<bool>();
   refuse_inputs_in(settings);
   const BatchFiles files(settings.output);
@@ -80,6 +81,8 @@ CommandLineProgram batch_program() {
       "seconds that a garment may take until it is dressed; default: no limit")(
       "memory", po::value<std::string>(),
       "memory that a garment's programs may ask for, such as 4GB; default: no limit")(
+      "no-pictures", po::bool_switch(),
+      "write figures alone: no page and no pictures of a garment, in half of the time and bytes")(
       "resume", po::bool_switch(),
       "keep what an earlier run has done in OUT, where neither inputs, options nor programs "
       "changed");

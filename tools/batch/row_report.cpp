@@ -105,7 +105,7 @@ Json RowKeys::key_of(const BatchRow& row) {
   return key;
 }
 
-std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
+std::optional<Json> kept_report(const GarmentFiles& files, const Json& key, bool pictures) {
   std::error_code unreachable;
   if (!fs::is_regular_file(files.report, unreachable)) return std::nullopt;
   try {
@@ -118,7 +118,7 @@ std::optional<Json> kept_report(const GarmentFiles& files, const Json& key) {
     }
     if (is_error) return report;
     const Json& checksums = report.at("outputs");
-    for (const fs::path& file : files.made()) {
+    for (const fs::path& file : files.made(pictures)) {
       if (checksums.at(file.filename().string()) != sha256_of_file(file)) return std::nullopt;
     }
     return report;

@@ -29,9 +29,9 @@ class RowKeys {
 
 /// The report in the garment's folder, if it is of this key, and all files that it names are there
 /// as they were written. A report of a garment that could not be done counts only if the limits
-/// were the same.
+/// were the same. Without `pictures` those need not be there.
 std::optional<nlohmann::ordered_json> kept_report(const GarmentFiles& files,
-                                                  const nlohmann::ordered_json& key);
+                                                  const nlohmann::ordered_json& key, bool pictures);
 
 /// Writes report.json: the key, then the outcome. Gives both.
 nlohmann::ordered_json write_report(const GarmentFiles& files, const nlohmann::ordered_json& key,

@@ -101,7 +101,8 @@ RowReports BatchRun::find_what_is_left() {
   RowReports kept(rows_.size());
   if (settings_.resume) {
     for_each_at_once(rows_.size(), settings_.jobs, [&](std::size_t i) {
-      if (auto report = kept_report(files_of(i), keys_[i])) kept[i] = std::move(*report);
+      if (auto report = kept_report(files_of(i), keys_[i], settings_.limits.pictures))
+        kept[i] = std::move(*report);
     });
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -88,6 +88,7 @@ std::string ease_page(const EaseReport& report, const std::string& picture) {
 }
 
 std::vector<std::string> ease_pictures(const EaseReport& report, const std::vector<int>& widths) {
+  if (widths.empty()) return {};
   const EaseScale scale = ease_scale(report);
   PictureMesh cloth;
   cloth.mesh = {report.garment.points, report.garment.triangles};

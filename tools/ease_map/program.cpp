@@ -27,7 +27,9 @@ CommandLineProgram ease_map_program() {
   CommandLineProgram program;
   program.name = "ease-map";
   program.summary = "measures and shows the gap between a dressed garment and the body";
-  program.usage = "--body body.ply dressed.obj -o ease.html [options]";
+  program.usage =
+      "--body body.ply dressed.obj -o ease.html [options]\n"
+      "       ease-map --body body.ply dressed.obj --report ease.json [options]";
   program.options.add_options()("body", po::value<std::string>()->required(),
                                 "the body, closed, as clean-body writes it")(
       "garment", po::value<std::string>()->required(), "the dressed garment; also as argument")(
@@ -66,6 +68,7 @@ CommandLineProgram ease_map_program() {
       "gap at the end of the colour scale; to compare garments (default: to suit this one)");
   program.positional.add("garment", 1);
   program.output_extensions = {".html", ".htm"};
+  program.instead_of_output = {"report", "csv", "ply", "png", "pdf", "glb"};
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     EaseMapSettings settings;
     settings.garment = given["garment"].as<std::string>();
@@ -133,7 +136,7 @@ CommandLineProgram ease_map_program() {
       job.files.reads.push_back(*settings.against);
       job.files.reads.push_back(dress_report_path(*settings.against));
     }
-    job.files.writes = {common.output};
+    if (!common.output.empty()) job.files.writes = {common.output};
     for (const auto& file :
          {settings.csv, settings.ply, settings.png, settings.pdf, settings.glb}) {
       if (file) job.files.writes.push_back(*file);

@@ -275,15 +275,23 @@ void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common)
   }
   if (settings.glb) write_file(files.at(*settings.glb), ease_glb(report, settings.thickness));
   if (settings.body_obj) write_obj(files.at(*settings.body_obj), body_obj(report));
-  std::vector<int> widths = {420};
+  const bool has_page = !common.output.empty();
+  std::vector<int> widths;
+  if (has_page || settings.pdf) widths.push_back(420);
   if (settings.png) widths.push_back(900);
   const std::vector<std::string> pictures = ease_pictures(report, widths);
-  if (settings.png) write_file(files.at(*settings.png), pictures[1]);
-  const std::string page = ease_page(report, pictures[0]);
-  write_file(files.at(common.output), page);
-  if (settings.pdf) write_file(files.at(*settings.pdf), printed_page(page));
+  if (settings.png) write_file(files.at(*settings.png), pictures.back());
+  if (has_page || settings.pdf) {
+    const std::string page = ease_page(report, pictures.front());
+    if (has_page) write_file(files.at(common.output), page);
+    if (settings.pdf) write_file(files.at(*settings.pdf), printed_page(page));
+  }
   files.commit();
-  common.say("wrote " + common.output.string());
+  if (has_page) return common.say("wrote " + common.output.string());
+  for (const auto& file :
+       {common.report, settings.csv, settings.ply, settings.png, settings.pdf, settings.glb}) {
+    if (file) common.say("wrote " + file->string());
+  }
 }
 
 }  // namespace toile
