@@ -52,8 +52,9 @@ class WornSample : public testing::Test {
   /// `fineness`: the mannequin's edges; none: as it comes.
   void make_body(const std::string& fineness = "9mm") const {
     const fs::path& made = mannequin(fineness);
-    fs::copy(made, body);
-    fs::copy(fs::path(made).replace_extension("body.json"), folder / "body.body.json");
+    constexpr auto anew = fs::copy_options::overwrite_existing;
+    fs::copy(made, body, anew);
+    fs::copy(fs::path(made).replace_extension("body.json"), folder / "body.body.json", anew);
   }
 
   void mesh(const fs::path& pattern, const std::string& edge_length) const {
