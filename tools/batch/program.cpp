@@ -82,7 +82,7 @@ CommandLineProgram batch_program() {
       "memory", po::value<std::string>(),
       "memory that a garment's programs may ask for, such as 4GB; default: no limit")(
       "no-pictures", po::bool_switch(),
-      "write figures alone: no page and no pictures of a garment, in half of the time and bytes")(
+      "write figures alone: no page and no pictures of a garment")(
       "resume", po::bool_switch(),
       "keep what an earlier run has done in OUT, where neither inputs, options nor programs "
       "changed");

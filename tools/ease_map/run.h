@@ -38,9 +38,8 @@ struct EaseMapSettings {
   std::vector<double> heights;  ///< metres above the floor: levels of the trunk to add
 };
 
-/// Measures the dressed garment's ease and writes the files that are asked for: the page where
-/// there is an output, too.
-/// Throws Error for what can't be read, measured or written.
+/// Measures the dressed garment's ease and writes the files that are asked for. The page is one of
+/// them where there is an output. Throws Error for what can't be read, measured or written.
 void run_ease_map(const EaseMapSettings& settings, const CommonSettings& common);
 
 }  // namespace toile
