@@ -22,7 +22,7 @@ constexpr double min_cotangent = 1e-3;
 constexpr double max_cotangent = 10;
 /// Share of the mean: a point whose triangles are smaller counts as much. Without it, needles make
 /// the system stiff. Half or double of it changes no measure of three bodies by more than 0.2 mm.
-constexpr double least_area = 0.1;
+constexpr double least_share = 0.1;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ TriangleMesh smoothed(const TriangleMesh& mesh, double length) {
     const double area = triangle_area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
     for (const int i : t) areas[i] += area / 3;
   }
-  areas = areas.cwiseMax(std::max(least_area * areas.mean(), 1e-300)).eval();
+  areas = areas.cwiseMax(std::max(least_share * areas.mean(), 1e-300)).eval();
   Sparse masses(n, n);
   masses.setIdentity();
   masses.diagonal() = areas;

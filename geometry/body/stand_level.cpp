@@ -21,7 +21,7 @@ constexpr double most_step = 10 * radians_per_degree;
 constexpr double soles = 0.03;
 // Cosine between the plumb line and the normal of a surface that counts as sole. At half of it,
 // the same six bodies are turned as before; double is beyond 1, and none would be turned.
-constexpr double facing = 0.8;
+constexpr double least_facing = 0.8;
 
 /// Square metres: how unlevel the soles are, as the variance of their heights along `up`.
 double unevenness(const TriangleMesh& body, const Vec3& up, double height) {
@@ -38,7 +38,7 @@ double unevenness(const TriangleMesh& body, const Vec3& up, double height) {
     if (high > soles * height) continue;
     const Vec3 normal = (b - a).cross(c - a) / 2;
     const double part = normal.norm();
-    if (-up.dot(normal) < facing * part) continue;
+    if (-up.dot(normal) < least_facing * part) continue;
     area += part;
     sum += part * high;
     squares += part * high * high;

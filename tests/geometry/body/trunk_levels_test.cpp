@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/body/mannequin/mannequin.h"
+#include "geometry/body/mannequin/mannequin_build.h"
+#include "geometry/slice.h"
 #include "tests/support/shapes.h"
 
 namespace toile {
@@ -117,6 +120,48 @@ TEST(TrunkLevels, WhatIsNoTrunkHasNone) {
   balls[2] = {0.32, 0.193, 0.142};
   balls[3] = {0.52, 0.205, 0.151};
   expect_nothing(levels_of(lathe(with(balls, 0, {{0.7, 0.06, 0.055}}))));
+}
+
+/// A woman's body in its frame, with breasts moved forward and down (metres).
+BodyFrame with_breasts(double forward, double down) {
+  MannequinOptions options;
+  options.edge_length = 0.009;
+  static const Mannequin woman = mesh_mannequin(built_mannequin({}), options);
+  static const TrunkLevels levels = [] {
+    BodyFrame frame{
+        woman.surface, woman.skeleton, "", Eigen::Matrix3d::Identity(), Vec3::Zero(), 0};
+    for (const Vec3& p : woman.surface.points) frame.height = std::max(frame.height, p.y());
+    return trunk_levels(frame);
+  }();
+  BodyFrame frame{woman.surface, woman.skeleton, "", Eigen::Matrix3d::Identity(), Vec3::Zero(), 0};
+  for (Vec3& p : frame.mesh.points) {
+    frame.height = std::max(frame.height, p.y());
+    for (const double side : {-0.09, 0.09}) {
+      const Vec3 breast(side, *levels.bust.height, 0.12);
+      const double reach = (p - breast).norm() / 0.07;
+      p += std::exp(-reach * reach) * Vec3(0, -down, forward);
+    }
+  }
+  return frame;
+}
+
+double trunk_girth(const BodyFrame& body, double y) {
+  return slice(body.mesh, {0, y, 0}, Vec3::UnitY()).front().girth;
+}
+
+TEST(TrunkLevels, ALowBustIsWhereItStandsOut) {
+  const TrunkLevels plain = trunk_levels(with_breasts(0, 0));
+  for (const double down : {0.03, 0.06, 0.09}) {
+    const BodyFrame body = with_breasts(0.04, down);
+    const TrunkLevels low = trunk_levels(body);
+    ASSERT_TRUE(low.bust.height && low.underbust.height);
+    EXPECT_NEAR(*low.bust.height, *plain.bust.height - down, 0.012) << down;
+    // Below the breasts the trunk is as it was: thinner there than 1 cm above the band.
+    EXPECT_LT(trunk_girth(body, *low.underbust.height),
+              trunk_girth(with_breasts(0, 0), *low.underbust.height) + 0.03)
+        << down;
+    EXPECT_GT(*low.underbust.height, *low.waist.height);
+  }
 }
 
 }  // namespace trunk_levels_test
