@@ -97,16 +97,14 @@ bool is_told_by_others(const std::string& name, const MeasureValues& given) {
 /// What a round has to solve: rows of measures, then rows that hold the factors.
 class Problem {
  public:
-  /// `girths_first`: lengths between two levels of the trunk and legs pull nothing.
   Problem(const MeasureValues& given, const MeasureValues& filled, const MeasureValues& sample,
-          FigureType figure, bool girths_first) {
+          FigureType figure) {
     for (const Moved& measure : moved_measures()) {
       const bool is_given = given.contains(measure.name);
       if (!is_given && !filled.contains(measure.name)) continue;
       if (is_told_by_others(measure.name, given)) continue;
       if (!sample.contains(measure.name)) continue;
-      const bool pulls = is_given && !(girths_first && is_between_levels(measure));
-      rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given, pulls});
+      rows_.push_back({&measure, (is_given ? given : filled).at(measure.name), is_given});
     }
     waist_is_given_ = given.contains("waist");
     jacobian_ = MatrixXd::Zero(size(), build_parts);
@@ -151,6 +149,18 @@ class Problem {
     return result;
   }
 
+  /// The root of the weighted squares of all differences, metres. What can't be read counts as 5 %.
+  double miss(const VectorXd& off) const {
+    constexpr double unread = 0.05;
+    double sum = 0;
+    for (int row = 0; row < size(); ++row) {
+      if (!rows_[row].pulls) continue;
+      const double by = std::isfinite(off[row]) ? off[row] : unread;
+      sum += std::pow(rows_[row].measure->weight * rows_[row].wanted * by, 2);
+    }
+    return std::sqrt(sum);
+  }
+
   /// The largest difference of a given measure, metres.
   double worst(const VectorXd& off) const {
     double most = 0;
@@ -159,6 +169,20 @@ class Problem {
       most = std::max(most, rows_[row].wanted * std::abs(std::expm1(off[row])));
     }
     return most;
+  }
+
+  /// Lengths between levels of the trunk and legs that are off by more than `far` (metres) pull no
+  /// more: others contradict them. False: there are none.
+  bool let_go(const VectorXd& off, double far) {
+    bool lets_go = false;
+    for (int row = 0; row < size(); ++row) {
+      Row& each = rows_[row];
+      if (!each.pulls || !std::isfinite(off[row]) || !is_between_levels(*each.measure)) continue;
+      if (each.wanted * std::abs(std::expm1(off[row])) <= far) continue;
+      each.pulls = false;
+      lets_go = true;
+    }
+    return lets_go;
   }
 
   /// The step of the factors that takes `off` away, as far as the holding rows let it.
@@ -271,7 +295,6 @@ class Problem {
   struct Row {
     const Moved* measure;
     double wanted;
-    bool is_given;
     bool pulls;  ///< the fit is to meet it
   };
   static bool is_between_levels(const Moved& measure) {
@@ -342,7 +365,7 @@ bool raise_arms(Pose& pose) {
   return true;
 }
 
-/// The best body of some rounds, and the largest miss of the measures that pull, in metres.
+/// The best body of some rounds, and its miss, in metres.
 /// Infinite: there is none.
 struct Fit {
   FittedMannequin best;
@@ -350,18 +373,29 @@ struct Fit {
   std::exception_ptr why;  ///< what ended the rounds; null: nothing did
 };
 
-/// Metres: the largest miss of the girths that are given.
-double worst_girth(const FittedMannequin& fitted) {
-  double worst = 0;
-  for (const FittedMeasure& measure : fitted.measures) {
-    const bool is_girth = std::ranges::any_of(
-        fitted.mannequin.girths,
-        [&](const MannequinGirth& girth) { return measure_of(girth) == measure.name; });
-    if (!is_girth || !measure.is_given || !std::isfinite(measure.measured)) continue;
-    worst = std::max(worst, std::abs(measure.measured - measure.wanted));
+/// The factors of a round, how far off its body is, and by how much in all.
+struct Tried {
+  VectorXd factors;
+  VectorXd off;
+  double miss = std::numeric_limits<double>::infinity();
+};
+
+/// Rounds that bring nothing more: measures that contradict each other are as near as they come.
+class Progress {
+ public:
+  bool is_over(double miss) {
+    // Half or double of the share, or one round more, changes no mannequin of the tests by 1 mm.
+    constexpr double counts = 0.9;  // of the least miss before
+    constexpr int rounds = 2;
+    idle_ = miss < counts * least_ ? 0 : idle_ + 1;
+    least_ = std::min(least_, miss);
+    return idle_ >= rounds;
   }
-  return worst;
-}
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int idle_ = 0;
+};
 
 Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues& filled,
                const MannequinOptions& options) {
@@ -369,6 +403,8 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
   constexpr int max_rounds = 12;
   constexpr double enough = 0.001;         // metres
   constexpr double enough_coarse = 0.002;  // metres
+  // Metres: a length that stays farther off would bend the body and spoil its girths.
+  constexpr double far_off = 0.02;
   // Metres: a mesh has to part the thighs.
   const double coarse =
       std::clamp(0.012 * std::exp(problem.start()[column(Part::height)]), 0.006, 0.014);
@@ -376,9 +412,11 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
   trial.pose = standing_pose();
   trial.pose_name = "measures";
   Fit fit;
+  Tried nearest;
   VectorXd factors = problem.start();
   VectorXd before;
   VectorXd step;
+  Progress progress;
   bool is_fine = options.edge_length >= coarse;
   trial.edge_length = is_fine ? options.edge_length : coarse;
   for (int round = 1; round <= max_rounds; ++round) {
@@ -387,26 +425,45 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
     while (made && holds_arms(*made) && raise_arms(trial.pose)) {
       made = meshed(build, trial, fit.why);
       step.resize(0);  // what the arms' move changes is not the factors' doing
-      fit.least = std::numeric_limits<double>::infinity();
+      fit.least = nearest.miss = std::numeric_limits<double>::infinity();
     }
-    if (!made) return fit;
+    if (!made) {
+      if (!std::isfinite(nearest.miss)) return fit;
+      factors = (factors + nearest.factors) / 2;
+      step.resize(0);
+      continue;
+    }
     const MeasureValues measured = mannequin_measures(*made);
     const VectorXd off = problem.off(measured);
-    const double worst = problem.worst(off);
+    const double miss = problem.miss(off);
     if (step.size() > 0) problem.correct(step, off - before);
-    if (is_fine && worst < fit.least) {
-      fit.least = worst;
+    if (is_fine && miss < fit.least) {
+      fit.least = miss;
       fit.best = {std::move(*made), build, problem.compared(measured, given, filled), trial.pose};
     }
-    if (is_fine && worst < enough) break;
-    if (!is_fine && (worst < enough_coarse || round >= max_rounds - 4)) {
+    const bool is_nearer = miss < nearest.miss;
+    if (is_nearer) nearest = {factors, off, miss};
+    const double worst = problem.worst(nearest.off);
+    const bool is_over = progress.is_over(miss);
+    const bool lets_go = is_over && problem.let_go(nearest.off, far_off);
+    if (is_fine && (worst < enough || (is_over && !lets_go))) break;
+    const bool gets_fine =
+        !is_fine && !lets_go && (worst < enough_coarse || is_over || round >= max_rounds - 4);
+    if (gets_fine) {
       is_fine = true;
       trial.edge_length = options.edge_length;
     }
-    const VectorXd next = problem.bounded(factors + problem.step(factors, off));
+    // A step that led away was too long for what the Jacobian knows.
+    const double share = is_nearer || gets_fine || lets_go ? 1 : 0.5;
+    const VectorXd next =
+        problem.bounded(nearest.factors + share * problem.step(nearest.factors, nearest.off));
     step = next - factors;
     factors = next;
     before = off;
+    if (is_over || gets_fine) {
+      progress = {};
+      nearest.miss = std::numeric_limits<double>::infinity();
+    }
   }
   return fit;
 }
@@ -420,16 +477,7 @@ FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& f
     coarse.edge_length = 0.015;
     return mannequin_measures(mesh_mannequin(built_mannequin({}), coarse));
   }();
-  // Metres: lengths that can't be met to this would spoil the girths.
-  constexpr double far_off = 0.02;
-  Fit fit = fit_rounds({given, filled, sample, figure, false}, given, filled, options);
-  if (fit.least > far_off) {
-    Fit other = fit_rounds({given, filled, sample, figure, true}, given, filled, options);
-    const bool is_better =
-        std::isfinite(other.least) &&
-        (!std::isfinite(fit.least) || worst_girth(other.best) < worst_girth(fit.best));
-    if (is_better) fit = std::move(other);
-  }
+  Fit fit = fit_rounds({given, filled, sample, figure}, given, filled, options);
   if (!std::isfinite(fit.least)) std::rethrow_exception(fit.why);
   FittedMannequin& best = fit.best;
   if (keeps_pose ? !(options.pose == best.pose) : !(options.pose == standing_pose())) {

@@ -27,9 +27,8 @@ struct FittedMannequin {
 };
 
 /// Finds the build whose mesh, standing, has the measures `given`, and those of `filled` about. It
-/// returns that body in the pose of the options. Each round makes a mesh and measures it. Where a
-/// given measure stays off by more than 2 cm, a second fit leaves out lengths between levels of the
-/// trunk and legs. It is taken if its girths are nearer.
+/// returns that body in the pose of the options. Each round makes a mesh and measures it. Lengths
+/// between levels of the trunk and legs that stay off by more than 2 cm are left out then.
 ///
 /// The unknowns are the logarithms of the build's factors, by least squares. Filled measures set
 /// their start. Each factor is pulled to its start with a weight of 1 to 3 %. In the first Jacobian

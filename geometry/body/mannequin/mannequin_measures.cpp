@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 
 #include "geometry/body/find_landmarks.h"
+#include "geometry/body/mannequin/mannequin_build.h"
 #include "geometry/body/measures.h"
 #include "geometry/body/torso_section.h"
 #include "geometry/slice.h"
@@ -139,6 +141,23 @@ MeasureValues mannequin_measures(const Mannequin& mannequin) {
   measures["knee_height"] = joints.joint("left_knee").y();
   measures["arm_length"] = (joints.joint("left_elbow") - joints.joint("left_shoulder")).norm() +
                            (joints.joint("left_wrist") - joints.joint("left_elbow")).norm();
+  // The head is the largest around above the ears.
+  double head = 0;
+  for (double y = height - 0.16 * height / 1.7; y < height - 0.04; y += 0.01) {
+    head = std::max(head, girth(y));
+  }
+  measures["head"] = head;
+  // Where landmarks were taken for others, the place that is known here is the right one. A length
+  // along the arm is 16 % more than that of its bones.
+  const auto take = [&measures](const std::string& name, double value, double alike) {
+    const auto own = measures.find(name);
+    if (own == measures.end() || std::abs(value / own->second - 1) <= alike) measures[name] = value;
+  };
+  const MeasureValues tape = tape_measures(body);
+  for (const auto& [name, value] : tape) {
+    if (name.ends_with("_height")) take(name, value, 0.12);
+  }
+  // Of the levels that count, whoever found them: a length is between both of its ends.
   const double waist = measures["waist_height"];
   measures["waist_to_hip"] = waist - measures["hip_height"];
   measures["waist_to_floor"] = waist;
@@ -148,20 +167,42 @@ MeasureValues mannequin_measures(const Mannequin& mannequin) {
   measures["underbust"] = girth(waist + 0.57 * (measures["bust_height"] - waist));
   measures["back_centre_length"] = back_length(body, waist, measures["cervicale_height"]);
   measures["inside_leg"] = measures["crotch_height"];
-  // The head is the largest around above the ears.
-  double head = 0;
-  for (double y = height - 0.16 * height / 1.7; y < height - 0.04; y += 0.01) {
-    head = std::max(head, girth(y));
-  }
-  measures["head"] = head;
-  for (const auto& [name, value] : tape_measures(body)) {
-    // Where landmarks were taken for others, the place that is known here is the right one.
-    constexpr double alike = 0.12;
-    const auto own = measures.find(name);
-    if (own != measures.end() && std::abs(value / own->second - 1) > alike) continue;
-    measures[name] = value;
+  for (const auto& [name, value] : tape) {
+    if (!name.ends_with("_height")) take(name, value, 0.25);
   }
   return measures;
+}
+
+MeasureValues measures_by_proportion(const MeasureValues& known) {
+  static const MeasureValues sample = [] {
+    MannequinOptions options;
+    options.edge_length = 0.012;
+    return mannequin_measures(mesh_mannequin(built_mannequin({}), options));
+  }();
+  const auto scale_of = [&known](std::initializer_list<const char*> names) {
+    double sum = 0;
+    int count = 0;
+    for (const char* name : names) {
+      const auto found = known.find(name);
+      if (found == known.end()) continue;
+      sum += found->second / sample.at(name);
+      ++count;
+    }
+    return count > 0 ? sum / count : 1.0;
+  };
+  const double around = scale_of({"bust", "waist", "hip"});
+  const double along = scale_of({"height"});
+  MeasureValues filled;
+  for (const auto& [name, value] : sample) {
+    if (known.contains(name)) continue;
+    const auto has = [&name = name](const char* word) {
+      return name.find(word) != std::string::npos;
+    };
+    const bool is_along = has("height") || has("length") || has("depth") || has("_to_") ||
+                          has("inside_leg") || has("strap") || has("slope") || has("trunk");
+    filled[name] = value * (has("angle") ? 1 : is_along ? along : around);
+  }
+  return filled;
 }
 
 }  // namespace toile
