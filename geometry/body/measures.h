@@ -18,6 +18,7 @@ struct Measure {
   bool is_girth = false;                 ///< its line is closed and lies in a plane
   std::string definition;                ///< how the tape lies, in a sentence
   std::string iso;                       ///< number in ISO 8559-1:2017; empty: none, or not known
+  double plus_minus = 0;                 ///< as `value`; 0: estimate_errors() was not asked
   double confidence = 0;                 ///< 0 to 1: the least of its landmarks'
   std::string reason;                    ///< why there is no value; empty: there is one
   std::vector<std::vector<Vec3>> lines;  ///< metres, in the given body's frame: where it is taken

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "geometry/body/mannequin/mannequin_measures.h"
 #include "io/csv.h"
 #include "io/landmarks_json.h"
 #include "io/text.h"
@@ -23,6 +24,7 @@ double rounded(double value) { return std::round(100 * value) / 100; }
 Json measure_json(const MeasuredBody& all, const Measure& measure) {
   Json json;
   json["value"] = measure.value ? Json(rounded(all.shown(measure))) : Json(nullptr);
+  if (measure.plus_minus > 0) json["plus_minus"] = rounded(all.shown_error(measure));
   if (measure.is_angle) json["unit"] = "degrees";
   json["definition"] = valid_utf8(measure.definition);
   if (!measure.iso.empty()) json["iso"] = measure.iso;
@@ -31,19 +33,21 @@ Json measure_json(const MeasuredBody& all, const Measure& measure) {
   return json;
 }
 
-/// The mean of both sides, metres or degrees, of a measure without a side.
-std::optional<double> value_of(const std::vector<Measure>& measures, const std::string& name) {
-  double sum = 0;
-  int count = 0;
-  for (const std::string side : {"", "left_", "right_"}) {
-    const Measure* measure = find_measure(measures, side + name);
-    if (measure == nullptr) continue;
-    if (!measure->value) return std::nullopt;
-    sum += *measure->value;
-    ++count;
+/// Metres or degrees by names without a side: the mean of the sides that there are.
+MeasureValues whole_values(const std::vector<Measure>& measures) {
+  MeasureValues sums;
+  std::map<std::string, int> counts;
+  for (const Measure& measure : measures) {
+    if (!measure.value) continue;
+    std::string name = measure.name;
+    for (const std::string_view side : {"left_", "right_"}) {
+      if (name.starts_with(side)) name.erase(0, side.size());
+    }
+    sums[name] += *measure.value;
+    ++counts[name];
   }
-  if (count == 0) return std::nullopt;
-  return sum / count;
+  for (auto& [name, sum] : sums) sum /= counts[name];
+  return sums;
 }
 
 struct Foreign {
@@ -53,26 +57,31 @@ struct Foreign {
 };
 
 std::vector<Foreign> foreign_values(const MeasuredBody& all, DraftingProgram program,
-                                    std::vector<std::string>& missing) {
+                                    ForeignGaps& gaps) {
+  const MeasureValues measured = whole_values(all.measures);
+  std::optional<MeasureValues> by_proportion;
   std::vector<Foreign> values;
   for (const ForeignMeasure& foreign : foreign_measures(program)) {
-    std::optional<double> sum = 0.0;
+    const std::string name(foreign.name);
+    double sum = 0;
     bool is_angle = false;
+    bool is_filled = false;
+    bool is_missing = false;
     for (const MeasureTerm& term : foreign.terms) {
-      const auto value = value_of(all.measures, std::string(term.name));
-      if (!value) {
-        sum.reset();
-        break;
+      const std::string of(term.name);
+      is_filled = is_filled || !measured.contains(of);
+      if (is_filled && !by_proportion) {
+        by_proportion = all.no_joints.empty() ? measures_by_proportion(measured) : MeasureValues();
       }
-      const MeasureName* known = find_measure_name(term.name);
+      const MeasureValues& from = measured.contains(of) ? measured : *by_proportion;
+      is_missing = is_missing || !from.contains(of);
+      if (is_missing) break;
+      sum += term.factor * from.at(of);
+      const MeasureName* known = find_measure_name(of);
       is_angle = known != nullptr && known->unit == MeasureUnit::degrees;
-      *sum += term.factor * *value;
     }
-    if (sum) {
-      values.push_back({std::string(foreign.name), *sum, is_angle});
-    } else {
-      missing.emplace_back(foreign.name);
-    }
+    if (is_filled) (is_missing ? gaps.missing : gaps.filled).push_back(name);
+    if (!is_missing) values.push_back({name, sum, is_angle});
   }
   return values;
 }
@@ -112,6 +121,10 @@ double MeasuredBody::shown(const Measure& measure) const {
   return measure.is_angle ? *measure.value : *measure.value / metres_in(unit);
 }
 
+double MeasuredBody::shown_error(const Measure& measure) const {
+  return measure.is_angle ? measure.plus_minus : measure.plus_minus / metres_in(unit);
+}
+
 double metres_in(const std::string& unit) { return unit == "inch" ? 0.0254 : 0.01; }
 
 Json measures_json(const MeasuredBody& all, const std::vector<MeasureDifference>& differences) {
@@ -143,22 +156,23 @@ Json measures_json(const MeasuredBody& all, const std::vector<MeasureDifference>
 }
 
 std::string measures_csv(const MeasuredBody& all) {
-  std::string csv =
-      csv_line({"name", "value", "unit", "confidence", "iso", "definition", "reason"});
+  std::string csv = csv_line(
+      {"name", "value", "unit", "plus_minus", "confidence", "iso", "definition", "reason"});
   for (const std::vector<Measure>* list : {&all.measures, &all.freehand}) {
     for (const Measure& measure : *list) {
       csv += csv_line({valid_utf8(measure.name),
                        measure.value ? fixed_number(all.shown(measure), 2) : "",
-                       measure.is_angle ? "degrees" : all.unit, fixed_number(measure.confidence, 2),
-                       measure.iso, valid_utf8(measure.definition), valid_utf8(measure.reason)});
+                       measure.is_angle ? "degrees" : all.unit,
+                       measure.plus_minus > 0 ? fixed_number(all.shown_error(measure), 2) : "",
+                       fixed_number(measure.confidence, 2), measure.iso,
+                       valid_utf8(measure.definition), valid_utf8(measure.reason)});
     }
   }
   return csv;
 }
 
-std::string foreign_file(const MeasuredBody& all, DraftingProgram program,
-                         std::vector<std::string>& missing) {
-  const std::vector<Foreign> values = foreign_values(all, program, missing);
+std::string foreign_file(const MeasuredBody& all, DraftingProgram program, ForeignGaps& gaps) {
+  const std::vector<Foreign> values = foreign_values(all, program, gaps);
   if (program == DraftingProgram::valentina) return vit_file(all, values);
   if (program == DraftingProgram::freesewing) {
     Json json = {{"name", valid_utf8(all.body_name)}, {"units", "metric"}};

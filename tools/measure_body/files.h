@@ -23,6 +23,7 @@ struct MeasuredBody {
 
   /// The value in the unit of the files, or in degrees.
   double shown(const Measure& measure) const;
+  double shown_error(const Measure& measure) const;  ///< Measure::plus_minus, alike
 };
 
 /// A difference to a measure that was taken before, in the unit of the files.
@@ -35,12 +36,18 @@ struct MeasureDifference {
 nlohmann::ordered_json measures_json(const MeasuredBody& measures,
                                      const std::vector<MeasureDifference>& differences);
 
-/// Columns: name, value, unit, confidence, iso, definition, reason.
+/// Columns: name, value, unit, plus_minus, confidence, iso, definition, reason.
 std::string measures_csv(const MeasuredBody& measures);
 
-/// The file of another program, and in `missing` its names for which there is no value.
-std::string foreign_file(const MeasuredBody& measures, DraftingProgram program,
-                         std::vector<std::string>& missing);
+/// What the file of another program lacks, by that program's names.
+struct ForeignGaps {
+  std::vector<std::string> filled;   ///< has a value by proportion
+  std::vector<std::string> missing;  ///< has none
+};
+
+/// The file of another program. What a body with joints does not show is filled in by proportion,
+/// as measures_by_proportion() does.
+std::string foreign_file(const MeasuredBody& measures, DraftingProgram program, ForeignGaps& gaps);
 
 /// Metres in the unit "cm" or "inch".
 double metres_in(const std::string& unit);

@@ -94,10 +94,11 @@ std::string measures_page(const TriangleMesh& body, const MeasuredBody& measures
       continue;
     }
     const double value = measures.shown(*measure);
-    table.rows.push_back(
-        {spaced(measure->name),
-         fixed_number(value, 1) + (measure->is_angle ? " deg" : " " + measures.unit), measure->iso,
-         measure->definition});
+    std::string text = fixed_number(value, 1);
+    if (measure->plus_minus > 0) text += " ± " + fixed_number(measures.shown_error(*measure), 1);
+    table.rows.push_back({spaced(measure->name),
+                          text + (measure->is_angle ? " deg" : " " + measures.unit), measure->iso,
+                          measure->definition});
     if (measure->is_angle) {
       // Colours are of lengths.
       table.regions.push_back(-1);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cloth/scene/closed_body.h"
+#include "geometry/body/measure_errors.h"
 #include "geometry/body/measures.h"
 #include "geometry/error.h"
 #include "io/json_words.h"
@@ -89,7 +90,8 @@ void say_summary(const MeasuredBody& all, const CommonSettings& common) {
   for (const char* name : {"height", "bust", "underbust", "waist", "hip", "inside_leg"}) {
     const Measure* measure = find_measure(all.measures, name);
     if (measure == nullptr || !measure->value) continue;
-    common.say(std::string(name) + " " + fixed_number(all.shown(*measure), 1) + " " + all.unit);
+    common.say(std::string(name) + " " + fixed_number(all.shown(*measure), 1) + " ± " +
+               fixed_number(all.shown_error(*measure), 1) + " " + all.unit);
   }
   for (const Measure& measure : all.freehand) {
     common.say(shown_text(measure.name) + ": " +
@@ -110,6 +112,7 @@ MeasuredBody take_measures(const TriangleMesh& body, const std::string& name,
   all.body_name = name;
   all.unit = settings.unit;
   all.measures = measure_body(shape);
+  estimate_errors(body, name, all.measures);
   all.landmarks = given_landmarks(shape);
   all.no_joints = shape.frame.no_skeleton;
   take_all_freehand(shape, settings, all);
@@ -137,11 +140,15 @@ int run_measure_body(const MeasureBodySettings& settings, const CommonSettings& 
   if (settings.against) differences = differences_to(*settings.against, all, common);
   OutputFiles files;
   for (const auto& [program, path] : settings.others) {
-    std::vector<std::string> missing;
-    write_file(files.at(path), foreign_file(all, program, missing));
-    if (missing.empty()) continue;
-    all.remarks.push_back({false, path.string() + " lacks " + std::to_string(missing.size()) +
-                                      ": " + listed(missing)});
+    ForeignGaps gaps;
+    write_file(files.at(path), foreign_file(all, program, gaps));
+    if (!gaps.filled.empty()) {
+      all.remarks.push_back({true, path.string() + ": filled in by proportion, as the body does " +
+                                       "not show them: " + listed(gaps.filled)});
+    }
+    if (gaps.missing.empty()) continue;
+    all.remarks.push_back({false, path.string() + " lacks " + std::to_string(gaps.missing.size()) +
+                                      ": " + listed(gaps.missing)});
   }
   const bool is_csv = boost::algorithm::iequals(common.output.extension().string(), ".csv");
   write_file(files.at(common.output),
