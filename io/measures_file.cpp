@@ -10,6 +10,7 @@
 #include "io/json_value.h"
 #include "io/line_scanner.h"
 #include "io/measure_names.h"
+#include "io/measure_words.h"
 #include "io/output_file.h"
 #include "io/text.h"
 
@@ -37,35 +38,31 @@ double unit_named(const std::string& name, const std::string& place) {
   return *unit;
 }
 
-const MeasureName* entry_of(std::string_view name, std::string_view* side = nullptr) {
-  for (const std::string_view prefix : {"left_", "right_"}) {
-    if (!name.starts_with(prefix)) continue;
-    const MeasureName* entry = find_measure_name(name.substr(prefix.size()));
-    if (entry == nullptr || !entry->is_sided) return nullptr;
-    if (side != nullptr) *side = prefix;
-    return entry;
-  }
-  return find_measure_name(name);
+/// Whether a word is known and counts in units of length.
+bool is_length(std::string_view word) {
+  const std::optional<MeasureWord> known = measure_of_word(word);
+  return known && find_measure_name(known->measure.name)->unit == MeasureUnit::length;
 }
 
-/// Adds a measure by its name here; an unknown one is left out.
-void add(MeasureSet& set, const std::string& name, double value, double unit,
+/// Adds a measure by a word for it; an unknown one is left out.
+void add(MeasureSet& set, const std::string& word, double value, double unit,
          const std::string& place) {
-  std::string_view side;
-  const MeasureName* entry = entry_of(name, &side);
-  if (entry == nullptr) {
-    set.left_out.push_back(valid_utf8(name));
+  const std::optional<MeasureWord> known = measure_of_word(word);
+  if (!known) {
+    set.left_out.push_back(valid_utf8(word));
     return;
   }
-  const bool is_length = entry->unit == MeasureUnit::length;
-  if (!std::isfinite(value) || (is_length && !(value > 0))) {
-    throw Error(place, name + " is " + number_text(value) + ", which is no length",
+  const bool counts = is_length(word);
+  if (!std::isfinite(value) || (counts && !(value > 0))) {
+    throw Error(place, shown_text(word) + " is " + number_text(value) + ", which is no length",
                 "give a positive number, or leave the measure out");
   }
-  const std::string whole = std::string(side) + std::string(entry->name);
-  if (!set.values.emplace(whole, is_length ? value * unit : value).second) {
+  const std::string whole = known->side + std::string(known->measure.name);
+  value /= known->measure.factor;
+  if (!set.values.emplace(whole, counts ? value * unit : value).second) {
     throw Error(place, whole + " is there twice", "leave one out");
   }
+  if (whole != word) set.taken_as.emplace(valid_utf8(word), whole);
 }
 
 /// Adds what another program's names say. A sum of measures gives the one that is still missing.
@@ -134,10 +131,8 @@ void read_json(const std::string& text, const std::string& name, std::optional<d
       const auto value = measure->find("value");
       if (!value) continue;
       double own = unit;
-      const MeasureName* entry = entry_of(key);
-      const bool is_length = entry != nullptr && entry->unit == MeasureUnit::length;
       const auto stated = measure->find("unit");
-      if (stated && is_length) own = unit_named(stated->text(), stated->place());
+      if (stated && is_length(key)) own = unit_named(stated->text(), stated->place());
       add(set, key, value->number(), own, measure->place());
     }
     return;
@@ -197,9 +192,8 @@ void read_csv(const std::string& text, const std::string& name, std::optional<do
                   "write a name, a comma and a number");
     }
     double unit = asked.value_or(centimetre);
-    const MeasureName* entry = entry_of(row.fields[at_name]);
-    const bool is_length = entry != nullptr && entry->unit == MeasureUnit::length;
-    if (is_length && at_unit < row.fields.size() && !row.fields[at_unit].empty()) {
+    const bool states_unit = at_unit < row.fields.size() && !row.fields[at_unit].empty();
+    if (states_unit && is_length(row.fields[at_name])) {
       unit = unit_named(row.fields[at_unit], place);
     }
     add(set, row.fields[at_name], *value, unit, place);
@@ -291,7 +285,7 @@ void add_measure(const std::string& text, double metres_per_unit, MeasureSet& se
                 "write name=number, bust=94 say");
   }
   const std::string name = text.substr(0, equals);
-  if (entry_of(name) == nullptr) {
+  if (!measure_of_word(name)) {
     throw Error(place, "there is no measure '" + shown_text(name) + "'",
                 "make-mannequin --help lists the names");
   }

@@ -14,6 +14,7 @@ namespace toile {
 struct MeasureSet {
   std::map<std::string, double> values;
   std::string gender;  ///< "female", "male", or empty: the file does not say
+  std::map<std::string, std::string> taken_as;  ///< words for measures, and the names here
   std::vector<std::string>
       left_out;  ///< names in the file that are not known here, or without number
 };
@@ -34,7 +35,8 @@ struct MeasureSet {
 MeasureSet read_measures(const std::filesystem::path& path,
                          std::optional<double> metres_per_unit = std::nullopt);
 
-/// Adds "bust=94", "left_knee=36.5", "height=5.5in" or "shoulder_angle=21" to a set. A bare number
+/// Adds "bust=94", "left knee=36.5", "height=5.5in" or "shoulder_angle=21" to a set, by a word of
+/// measure_of_word(). A bare number
 /// counts in `metres_per_unit`. Throws Error for what is no measure.
 void add_measure(const std::string& text, double metres_per_unit, MeasureSet& set);
 

@@ -27,6 +27,7 @@ constexpr double length_bound = 0.003;
 struct Asked {
   MeasureValues measures;
   std::string gender;
+  std::map<std::string, std::string> taken_as;
   std::vector<std::string> left_out;
 };
 
@@ -60,10 +61,12 @@ Asked asked_measures(const MeasureSettings& settings) {
   // The command line wins over the files, and each file over those after it.
   Asked asked;
   asked.measures = without_sides(typed.values);
+  asked.taken_as = typed.taken_as;
   for (const std::filesystem::path& file : settings.files) {
     const MeasureSet set = read_measures(file, settings.unit);
     asked.measures.merge(without_sides(set.values));
     if (asked.gender.empty()) asked.gender = set.gender;
+    asked.taken_as.insert(set.taken_as.begin(), set.taken_as.end());
     asked.left_out.insert(asked.left_out.end(), set.left_out.begin(), set.left_out.end());
   }
   return asked;
@@ -97,9 +100,10 @@ bool is_girth(const std::string& name) {
 Json table(const FittedMannequin& fitted, const CommonSettings& common,
            std::vector<Remark>& remarks) {
   Json measures = Json::object();
-  std::vector<std::string> missed;
+  std::vector<const FittedMeasure*> missed;
   std::vector<std::string> unread;
   std::vector<std::string> uncontrolled;
+  common.say("measure                 body      given, filled  off");
   for (const FittedMeasure& measure : fitted.measures) {
     const bool is_read = std::isfinite(measure.measured);
     const MeasureName* entry = find_measure_name(measure.name);
@@ -121,7 +125,7 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common,
     common.say(line);
     const double bound = is_girth(measure.name) ? girth_bound : length_bound;
     if (measure.is_given && measure.is_fitted && std::abs(off) > bound) {
-      missed.push_back(measure.name + " by " + fixed_number(1000 * off, 1) + " mm");
+      missed.push_back(&measure);
     }
   }
   if (!uncontrolled.empty()) {
@@ -131,7 +135,18 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common,
   if (!unread.empty()) {
     remarks.push_back({true, "not met, for it can't be measured on this body: " + listed(unread)});
   }
-  if (!missed.empty()) remarks.push_back({true, "the mannequin misses " + listed(missed)});
+  if (missed.empty()) return measures;
+  // Measures that contradict each other are those that are missed the most.
+  std::ranges::stable_sort(missed, std::ranges::greater(), [](const FittedMeasure* measure) {
+    return std::abs(measure->measured - measure->wanted);
+  });
+  std::vector<std::string> by_size;
+  for (const FittedMeasure* measure : missed) {
+    by_size.push_back(measure->name + " by " +
+                      fixed_number(1000 * (measure->measured - measure->wanted), 1) + " mm");
+  }
+  remarks.push_back({true, "the mannequin misses " + listed(by_size) + "; measure " +
+                               missed.front()->name + " again, and look at its unit"});
   return measures;
 }
 
@@ -182,6 +197,9 @@ Mannequin mannequin_by_measures(const MeasureSettings& settings, MannequinOption
   std::vector<std::string> names;
   for (const auto& [name, value] : filled) names.push_back(name);
   if (!names.empty()) remarks.push_back({false, "filled from proportions: " + listed(names)});
+  std::vector<std::string> words;
+  for (const auto& [word, name] : asked.taken_as) words.push_back(shown_text(word) + " is " + name);
+  if (!words.empty()) remarks.push_back({false, "taken as: " + listed(words)});
   if (!asked.left_out.empty()) {
     constexpr std::size_t most = 12;  // files of other programs hold hundreds
     const std::size_t count = asked.left_out.size();
