@@ -88,6 +88,14 @@ TEST_F(ToileTry, GoesFromTheDrawingToTheEaseMap) {
   EXPECT_EQ(valid.exit_code, 0) << valid.err;
 }
 
+TEST_F(ToileTry, APointOfMeasureOutOfItsSpecIsAReasonForThree) {
+  write_text(folder / "spec.csv", "name,spec_cm,tolerance_cm\nhalf chest,40,0.5\n");
+  EXPECT_EQ(try_on_body({"--pom", folder / "spec.csv"}).exit_code, 3);
+  EXPECT_EQ(report()["reason"], Json::array({"out_of_spec"}));
+  EXPECT_EQ(report()["verdict"], "sewn");
+  EXPECT_NE(read_text(out / "pom.csv").find(",40.00,"), std::string::npos);
+}
+
 TEST_F(ToileTry, APieceThatIsNoPanelIsAReasonForThree) {
   add_to_drawing(
       "<path class='fabric' id='bow' d='M900 900L1100 1300L1100 900L900 1100z' fill='none'/>");

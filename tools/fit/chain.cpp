@@ -77,6 +77,7 @@ void add_fit_options(po::options_description& options) {
       "the ease that is meant: close, fitted, semi-fitted, loose, or a JSON file of your own")(
       "png", po::bool_switch(), "write pictures, too: OUT/ease.png and OUT/drape.png")(
       "pdf", po::bool_switch(), "write the page as OUT/ease.pdf, A4; needs Chromium");
+  add_pom_options(options);
 }
 
 void read_fit_options(const po::variables_map& given, const fs::path& body, const FitFiles& files,
@@ -108,6 +109,7 @@ void read_fit_options(const po::variables_map& given, const fs::path& body, cons
   dress.layers = {layer};
   if (given.count("cache") != 0) dress.cache = distances_path(dress.body);
   read_drape_settings(given, dress);
+  read_pom_options(given, settings.points);
 }
 
 ProgramFiles files_of(const FitSettings& settings, const FitFiles& files) {

@@ -51,7 +51,7 @@ struct FitSettings {
   MeasurePatternSettings points = {};  ///< without a spec: not measured
 };
 
-/// --edge-length, --repeat, --cache, --png, --target and the options of the drape.
+/// --edge-length, --repeat, --cache, --png, --target, --pom and the options of the drape.
 void add_fit_options(boost::program_options::options_description& options);
 /// Reads them, for this body. Throws Error for values that can't be used.
 void read_fit_options(const boost::program_options::variables_map& given,

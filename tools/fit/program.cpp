@@ -34,7 +34,6 @@ Job prepare_fit(const po::variables_map& given, const CommonSettings& common) {
   }
   read_body_options(given, settings.body);
   read_fit_options(given, body, files, settings);
-  read_pom_options(given, settings.points);
   settings.pattern.pattern = given["pattern"].as<std::string>();
   Job job;
   job.files = files_of(settings, files);
@@ -56,7 +55,6 @@ CommandLineProgram fit_program() {
       "pattern", po::value<std::string>()->required(), "the sewing pattern; also as argument");
   add_body_options(program.options);
   add_fit_options(program.options);
-  add_pom_options(program.options);
   program.positional.add("pattern", 1);
   program.writes_folder = true;
   program.check = [](const po::variables_map& given) {

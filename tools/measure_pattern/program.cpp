@@ -16,7 +16,9 @@ CommandLineProgram measure_pattern_program() {
   add_pom_options(program.options);
   program.positional.add("pattern", 1);
   program.output_extensions = {".csv"};
-  program.check = check_pom_options;
+  program.check = [](const boost::program_options::variables_map& given) {
+    check_pom_options(given);
+  };
   program.prepare = [](const po::variables_map& given, const CommonSettings& common) {
     MeasurePatternSettings settings;
     settings.pattern = given["pattern"].as<std::string>();

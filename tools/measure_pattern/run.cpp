@@ -72,12 +72,14 @@ void add_pom_options(po::options_description& options) {
   options.add_options()("pom", po::value<std::string>(),
                         "a table of points of measure as they should be, CSV: name, spec_cm or "
                         "one column a size, and if wanted tolerance_cm, measured")(
-      "size", po::value<std::string>(), "the column of --pom that holds")(
       "knit", po::bool_switch(), "points without a tolerance have 1.5 cm, not 0.5 cm");
+  if (options.find_nothrow("size", false) != nullptr) return;  // of a drawing, and of its spec
+  options.add_options()("size", po::value<std::string>(), "the column of --pom that holds");
 }
 
-void check_pom_options(const po::variables_map& given) {
+void check_pom_options(const po::variables_map& given, bool size_is_of_drawing) {
   for (const char* option : {"size", "knit"}) {
+    if (size_is_of_drawing && option == std::string("size")) continue;
     if (!given[option].empty() && !given[option].defaulted() && given.count("pom") == 0) {
       throw po::error("--" + std::string(option) + " is for --pom, which is not given");
     }

@@ -20,10 +20,12 @@ struct MeasurePatternSettings {
   bool says_remarks = true;  ///< those of reading the pattern
 };
 
-/// --pom, --size, --knit.
+/// --pom, --size, --knit. A --size that `options` has is left as it is.
 void add_pom_options(boost::program_options::options_description& options);
-/// Throws boost::program_options::error for --size without --pom.
-void check_pom_options(const boost::program_options::variables_map& given);
+/// Throws boost::program_options::error for --knit without --pom, and for --size, unless that is
+/// the size of a drawing, too.
+void check_pom_options(const boost::program_options::variables_map& given,
+                       bool size_is_of_drawing = false);
 /// Reads the spec, too. Throws Error for one that is none.
 void read_pom_options(const boost::program_options::variables_map& given,
                       MeasurePatternSettings& settings);

@@ -161,6 +161,7 @@ ExitCode try_drawing(const TrySettings& settings, const TryFiles& files,
     throw;
   }
   if (!end.body_is_usable) reasons.emplace_back("unreliable_body");
+  if (!end.keeps_spec) reasons.emplace_back("out_of_spec");
   if (end.dress.verdict != Verdict::sewn) reasons.emplace_back("verdict");
   // What was dressed may be sewn. The garment that was drawn is not.
   const bool lacks_seams =
@@ -254,6 +255,7 @@ CommandLineProgram try_program() {
       throw po::error("--from is for a posed body: give it by --body");
     }
     check_method_options(given);
+    check_pom_options(given, true);
   };
   program.prepare = prepare_try;
   return program;
