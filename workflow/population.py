@@ -13,7 +13,7 @@ OWN = ("name", "body", "pattern", "size", "fabric", "edge_length", "pose", "opti
 RESULTS = ("verdict", "cause", "detail", "fit", "strain_p99", "bust_ease_cm", "waist_ease_cm", "hip_ease_cm", "attempts",
            "nodes", "worst_level", "worst_ease_cm", "plus_minus_ease_cm", "off_level", "off_cm", "best", "version",
            "executable_sha256", "pattern_sha256", "body_sha256", "fabric_sha256", "dressed_sha256", "seconds", "peak_MiB",
-           "page", "shard", "body_height_cm", "body_bust_cm", "body_waist_cm", "body_hip_cm")
+           "page", "ease", "shard", "body_height_cm", "body_bust_cm", "body_waist_cm", "body_hip_cm")
 # Of a folder of `toile batch`, besides the garments' folders.
 TAKEN = ("bodies", "results.csv", "index.html", "summary.md")
 MAX_TOLD = 50

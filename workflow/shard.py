@@ -87,4 +87,4 @@ with open(snakemake.log[0], "a") as log:
     os.dup2(log.fileno(), sys.stderr.fileno())
     dress(snakemake.params.rows, pathlib.Path(snakemake.output[0]), os.path.dirname(snakemake.input.programs),
           snakemake.threads, snakemake.params.timeout, snakemake.params.memory, snakemake.params.target,
-          snakemake.config.get("pictures", True), snakemake.config.get("archive"), snakemake.resources.attempt)
+          snakemake.params.pictures, snakemake.params.archive, snakemake.resources.attempt)

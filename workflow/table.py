@@ -42,7 +42,7 @@ def read_reports(population):
 def table_row(population, row, report):
     out, inputs, figures = population.out, report.get("inputs", {}), report.get("figures", {})
     checksum = lambda files: " ".join(file["sha256"] or "" for file in files)
-    page = out / "shards" / report["shard"] / "batch" / row["name"] / "ease.html"
+    folder = out / "shards" / report["shard"] / "batch" / row["name"]
     line = {column: row[column] for column in OWN} | row["others"]
     told = (report, figures, report.get("compared", {}))
     line |= {column: next((each[column] for each in told if column in each), "") for column in RESULTS}
@@ -50,7 +50,8 @@ def table_row(population, row, report):
              "body_sha256": checksum([inputs["body"]]) if inputs else "",
              "fabric_sha256": checksum(inputs.get("fabrics", [])),
              "dressed_sha256": report.get("outputs", {}).get("dressed.obj", ""),
-             "page": os.path.relpath(page, out) if page.exists() else ""}
+             "page": os.path.relpath(folder / "ease.html", out) if (folder / "ease.html").exists() else "",
+             "ease": os.path.relpath(folder / "ease.json", out) if (folder / "ease.json").exists() else ""}
     measures = {each["name"]: each["value"] for each in read_table(out / "bodies" / f"{row['body_key']}.csv")}
     line |= {f"body_{name}_cm": measures.get(name, "") for name in BODY}
     points = read_table(out / "patterns" / f"{row['pattern_key']}.csv")

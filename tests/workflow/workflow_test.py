@@ -128,9 +128,13 @@ class WorkflowTest(unittest.TestCase):
         self.assertEqual(ended.returncode, 1)
         self.assertEqual(self.table()["body_band"]["cause"], "shard: did not end")
         in_the_way.unlink()
-        ended = self.run_workflow(ROWS[:1])
+        self.assertIn("pictures=perhaps: is neither true nor false", self.run_workflow(ROWS[:1], "pictures=perhaps").stdout)
+        ended = self.run_workflow(ROWS[:1], "pictures=false")
         self.assertEqual(ended.returncode, 0, ended.stdout)
-        self.assertEqual(self.table()["body_band"]["verdict"], "sewn")
+        row = self.table()["body_band"]
+        self.assertEqual((row["verdict"], row["page"]), ("sewn", ""))
+        self.assertTrue((self.folder / "population" / row["ease"]).is_file())
+        self.assertFalse(list(self.folder.glob("population/shards/*/*/batch/*/*.png")))
 
     def test_what_changed(self):
         """Every row is in the table, and only what changed is done again."""

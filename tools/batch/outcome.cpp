@@ -179,7 +179,8 @@ void add_girth_ease(const std::string& ease_report, const std::string& file, Jso
     for (const char* level : {"bust", "waist", "hip"}) {
       Json& ease = figures[std::string(level) + "_ease_cm"];
       for (const Json& girth : report.value("girths", Json::array())) {
-        if (girth.value("level", "") == level) ease = girth.at("as_cut_ease_cm");
+        if (girth.value("level", "") != level) continue;
+        if (girth.contains("as_cut_ease_cm")) ease = girth.at("as_cut_ease_cm");  // else: a fold
       }
     }
   } catch (const Json::exception&) {
