@@ -212,6 +212,12 @@ inline constexpr double max_layout_height = 0.4;
 /// Metres of misfit by which the body's own move has to fit better.
 inline constexpr double min_better_fit = 0.15;
 
+/// Metres by which the top of a garment with shoulder seams may stand above the neck. The
+/// sample T-shirt stands 4 cm above it. With half of it, up to 10 of 160 random garments are
+/// lowered on the body that they were drafted for. With double, T-shirts for 1.70 m are caught at
+/// the chin of women of 1.47 and 1.54 m.
+inline constexpr double max_shoulder_rise = 0.15;
+
 /// Metres from the body's axis to the middle of a layout that stays.
 inline constexpr double max_layout_offset = 0.3;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -70,9 +71,10 @@ class Layout {
   struct Heights {
     double low;
     double wanted;
+    double high = wanted + max_layout_height;
   };
   bool has(PanelRole wanted) const;
-  bool has_shoulders() const;
+  std::set<int> shoulder_panels() const;
   bool surrounds_middle() const;
   std::optional<Heights> heights() const;
   std::optional<double> top() const;
@@ -124,12 +126,9 @@ double Layout::turn() const {
   return -static_cast<double>(turned) * std::numbers::pi / 2;
 }
 
-/// Whether there are sleeves, a hood or a collar, or a seam that is a shoulder's. That one runs
-/// sideways, and above the middles of a front and a back. They are not of skirts or trousers.
-bool Layout::has_shoulders() const {
-  for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if (kind(p) == PanelRole::sleeve || garment_.panels[p].is.is_headwear()) return true;
-  }
+/// The panels with a seam that is a shoulder's. It runs sideways, and above the middles of a front
+/// and a back. They are not of skirts or trousers.
+std::set<int> Layout::shoulder_panels() const {
   const std::vector<int> panel_of = panel_of_points(garment_);
   const auto is_shoulder = [&](const std::vector<int>& side) {
     const int panel = panel_of[side.front()];
@@ -143,9 +142,12 @@ bool Layout::has_shoulders() const {
   const auto face = [&](const std::vector<int>& side) {
     return face_sign(garment_.panels[panel_of[side.front()]].is);
   };
-  return std::ranges::any_of(garment_.seams, [&](const MeshedSeam& seam) {
-    return is_shoulder(seam.a) && is_shoulder(seam.b) && face(seam.a) != face(seam.b);
-  });
+  std::set<int> panels;
+  for (const MeshedSeam& seam : garment_.seams) {
+    if (!is_shoulder(seam.a) || !is_shoulder(seam.b) || face(seam.a) == face(seam.b)) continue;
+    panels.insert({panel_of[seam.a.front()], panel_of[seam.b.front()]});
+  }
+  return panels;
 }
 
 bool Layout::has(PanelRole wanted) const {
@@ -180,18 +182,33 @@ std::optional<Layout::Heights> Layout::heights() const {
   const double armpit = skeleton_.joint("chest").y();
   const bool has_bottom =
       has(PanelRole::skirt) || has(PanelRole::trousers) || has(PanelRole::waistband);
-  if (has_shoulders()) return Heights{armpit - layout_slack, skeleton_.joint("neck").y()};
+  const double neck = skeleton_.joint("neck").y();
+  if (!shoulder_panels().empty()) {
+    const double left = skeleton_.joint("left_shoulder").y();
+    return Heights{std::min(left, skeleton_.joint("right_shoulder").y()), neck,
+                   neck + max_shoulder_rise};
+  }
+  const auto is_worn_high = [](const MeshedPanel& panel) {
+    return panel.is.worn_as == PanelRole::sleeve || panel.is.is_headwear();
+  };
+  if (std::ranges::any_of(garment_.panels, is_worn_high)) {
+    return Heights{armpit - layout_slack, neck};
+  }
   if (has(PanelRole::bodice)) return Heights{waist - layout_slack, armpit};
   if (has(PanelRole::unknown) || !has_bottom || !surrounds_middle()) return std::nullopt;
   return Heights{waist - max_low_rise, waist};
 }
 
-/// Metres: the highest point of the trunk's panels, hoods and collars apart; none: there are none.
+/// Metres: the highest point of the panels with shoulder seams. Without those, of the trunk's
+/// panels, hoods and collars apart; none: there are none.
 std::optional<double> Layout::top() const {
+  const std::set<int> shoulders = shoulder_panels();
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < middles_.size(); ++p) {
-    if (kind(p) == PanelRole::sleeve || garment_.panels[p].is.is_headwear()) continue;
-    highest = std::max(highest, highest_of(garment_.panels[p], placed_));
+    const bool counts = shoulders.empty()
+                            ? kind(p) != PanelRole::sleeve && !garment_.panels[p].is.is_headwear()
+                            : shoulders.contains(static_cast<int>(p));
+    if (counts) highest = std::max(highest, highest_of(garment_.panels[p], placed_));
   }
   return std::isfinite(highest) ? std::optional(highest) : std::nullopt;
 }
@@ -201,7 +218,7 @@ Vec3 Layout::shift() const {
   const std::optional<Heights> belongs = heights();
   const std::optional<double> highest = top();
   if (!highest || !belongs) return shift;
-  if (*highest < belongs->low || *highest > belongs->wanted + max_layout_height) {
+  if (*highest < belongs->low || *highest > belongs->high) {
     shift.y() = belongs->wanted - *highest;
   }
   Eigen::AlignedBox3d box;

@@ -124,6 +124,22 @@ TEST(FindPlaces, ATshirtStandsWhereItsSampleDoes) {
   EXPECT_NEAR(left.y(), right.y(), 0.005);
 }
 
+TEST(PlacePanels, ShoulderSeamsComeToTheShouldersOfTallAndShort) {
+  for (const double scale : {0.86, 1.0, 1.15}) {
+    TriangleMesh surface = body().surface;
+    Skeleton skeleton = body().skeleton;
+    for (Vec3& point : surface.points) point.y() *= scale;
+    for (auto& [name, joint] : skeleton.joints) joint.y() *= scale;
+    const PanelMesh drawn = meshed(sample("tshirt"));
+    PanelMesh garment = drawn;
+    const PlacedPanels placed = place_panels(surface, &skeleton, {}, garment);
+    EXPECT_EQ(placed.moved.has_value(), scale != 1.0);
+    double top = 0;
+    for (const Vec3& point : garment.placed) top = std::max(top, point.y());
+    EXPECT_NEAR(top, skeleton.joint("neck").y(), 0.06) << scale;
+  }
+}
+
 TEST(FindPlaces, ADrawingThatLooksUpsideDownIsNamed) {
   Json pattern = sample("tshirt");
   strip(pattern);
