@@ -67,11 +67,13 @@ class Layout {
   std::optional<Vec3> from_to(int (*sign_of)(const PanelClass&), bool of_sleeves) const;
   std::optional<Vec3> forward() const { return from_to(face_sign, false); }
   std::optional<Vec3> leftward() const;
-  /// Metres: the heights that the top of the garment may have, and the one that it belongs at.
+  /// Metres: the heights that the top of the garment may have, and the one that it belongs at. From
+  /// below it is raised to `raised`.
   struct Heights {
     double low;
     double wanted;
     double high = wanted + max_layout_height;
+    double raised = wanted;
   };
   bool has(PanelRole wanted) const;
   std::set<int> shoulder_panels() const;
@@ -184,9 +186,10 @@ std::optional<Layout::Heights> Layout::heights() const {
       has(PanelRole::skirt) || has(PanelRole::trousers) || has(PanelRole::waistband);
   const double neck = skeleton_.joint("neck").y();
   if (!shoulder_panels().empty()) {
+    // Raised half-way to the neck: the start lifts it on, as far as the shoulders want.
     const double left = skeleton_.joint("left_shoulder").y();
-    return Heights{std::min(left, skeleton_.joint("right_shoulder").y()), neck,
-                   neck + max_shoulder_rise};
+    const double shoulders = std::min(left, skeleton_.joint("right_shoulder").y());
+    return Heights{shoulders, neck, neck + max_shoulder_rise, (shoulders + neck) / 2};
   }
   const auto is_worn_high = [](const MeshedPanel& panel) {
     return panel.is.worn_as == PanelRole::sleeve || panel.is.is_headwear();
@@ -218,9 +221,9 @@ Vec3 Layout::shift() const {
   const std::optional<Heights> belongs = heights();
   const std::optional<double> highest = top();
   if (!highest || !belongs) return shift;
-  if (*highest < belongs->low || *highest > belongs->high) {
-    shift.y() = belongs->wanted - *highest;
-  }
+  // Below by rounding is not below: a layout is moved once.
+  if (*highest < belongs->low - 1e-9) shift.y() = belongs->raised - *highest;
+  if (*highest > belongs->high) shift.y() = belongs->wanted - *highest;
   Eigen::AlignedBox3d box;
   for (std::size_t p = 0; p < middles_.size(); ++p) {
     if (kind(p) == PanelRole::sleeve) continue;

@@ -50,7 +50,8 @@ constexpr double underbust_share = 0.044;
 // cm less, at double 13 cm more.
 constexpr double abdomen_share = 0.3;
 // Share of the way from waist to bust below which no underbust is looked for. Below a bust that
-// hangs to the waist it is there.
+// hangs to the waist it is there. At half of it none of 38 low and firm busts moves, at double an
+// average woman's underbust is 9 mm higher.
 constexpr double least_band = 0.25;
 // Share of the height, 7 cm at 1.70 m: what is fullest so far above where the seat stands out the
 // most is no hip. At half or double the hips of five bodies stay. Without it a man whose belly is
