@@ -401,7 +401,7 @@ class Progress {
 Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues& filled,
                const MannequinOptions& options) {
   // Coarse meshes read the girths some 0.3 mm too small, so the last rounds are as fine as asked.
-  constexpr int max_rounds = 12;
+  constexpr int max_rounds = 14;
   constexpr double enough = 0.001;         // metres
   constexpr double enough_coarse = 0.002;  // metres
   // Metres: a length that stays farther off would bend the body and spoil its girths.
@@ -447,7 +447,9 @@ Fit fit_rounds(Problem problem, const MeasureValues& given, const MeasureValues&
     const double worst = problem.worst(nearest.off);
     const bool is_over = progress.is_over(miss);
     const bool lets_go = is_over && problem.let_go(nearest.off, far_off);
-    if (is_fine && (worst < enough || (is_over && !lets_go))) break;
+    // What is nearly met goes on; what contradicts comes no nearer.
+    const bool contradicts = worst > far_off / 4;
+    if (is_fine && (worst < enough || (is_over && !lets_go && contradicts))) break;
     const bool gets_fine =
         !is_fine && !lets_go && (worst < enough_coarse || is_over || round >= max_rounds - 4);
     if (gets_fine) {
