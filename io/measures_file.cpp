@@ -54,8 +54,9 @@ void add(MeasureSet& set, const std::string& word, double value, double unit,
   }
   const bool counts = is_length(word);
   if (!std::isfinite(value) || (counts && !(value > 0))) {
-    throw Error(place, shown_text(word) + " is " + number_text(value) + ", which is no length",
-                "give a positive number, or leave the measure out");
+    std::string what = shown_text(word);
+    what.append(" is ").append(number_text(value)).append(", which is no length");
+    throw Error(place, what, "give a positive number, or leave the measure out");
   }
   const std::string whole = known->side + std::string(known->measure.name);
   value /= known->measure.factor;
