@@ -83,7 +83,8 @@ void add_foreign(MeasureSet& set, const std::map<std::string, double>& read,
       sums.push_back(&measure);
     } else {
       const MeasureTerm& term = measure.terms.front();
-      add(set, std::string(term.name), found->second / term.factor, unit, place + ": " + name);
+      add(set, std::string(term.name), found->second / term.factor, unit,
+          std::string(place).append(": ").append(name));
     }
   }
   for (const ForeignMeasure* measure : sums) {

@@ -141,6 +141,7 @@ Json table(const FittedMannequin& fitted, const CommonSettings& common,
     return std::abs(measure->measured - measure->wanted);
   });
   std::vector<std::string> by_size;
+  by_size.reserve(missed.size());
   for (const FittedMeasure* measure : missed) {
     by_size.push_back(measure->name + " by " +
                       fixed_number(1000 * (measure->measured - measure->wanted), 1) + " mm");
