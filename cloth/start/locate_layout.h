@@ -34,9 +34,8 @@ bool lacks_places(const PanelMesh& garment, const Skeleton* skeleton);
 ///   by whole quarters of a turn. Where a garment has both, they have to agree. Sides alone do not
 ///   turn it by half a turn: some name them as the viewer sees them.
 /// - The top of what hangs from the shoulders belongs at the neck. Hoods and collars do not count.
-/// A
-///   shoulder seam lies on the shoulders: the top is not left below their joints, nor 15 cm above
-///   the neck.
+/// - Shoulder seams lie on the shoulders. A top below the shoulder joints is raised half-way from
+///   there to the neck. One that stands 15 cm above the neck is lowered to it.
 /// - The top of a strapless bodice belongs at the armpits, that of skirts and trousers at waist
 ///   height. What is not known to be one of these is not moved, nor are stockings.
 /// - The middle of the panels of the trunk belongs on the body's axis.

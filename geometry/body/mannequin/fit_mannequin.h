@@ -35,8 +35,9 @@ struct FittedMannequin {
 /// each part moves its own measure alone. What the rounds show corrects it [Schubert 1970]. Where
 /// the section at the bust holds the arms, they are raised by steps of 15 degrees, to 80 at most. A
 /// body asked for in the standing pose has them so, unless it `keeps_pose`. It ends when each given
-/// measure that can be read is within 1 mm, or after 14 rounds with the best one. Throws Error
-/// where levels of the body would not rise, and as mesh_mannequin() does.
+/// measure that can be read is within 1 mm, or after 14 rounds with the best one. Measures that
+/// contradict each other end it sooner. Throws Error where levels of the body would not rise, and
+/// as mesh_mannequin() does.
 FittedMannequin fit_mannequin(const MeasureValues& given, const MeasureValues& filled,
                               FigureType figure, const MannequinOptions& options,
                               bool keeps_pose = false);
