@@ -115,8 +115,11 @@ DistanceCache DistanceGrid::cache() const { return table_->surfaces.front()->cac
 std::size_t DistanceGrid::computed_nodes() const {
   return table_->surfaces.front()->computed_nodes();
 }
-bool DistanceGrid::restore(const DistanceCache& cache) {
-  return table_->surfaces.front()->restore(cache);
+bool DistanceGrid::restore(DistanceCache cache) {
+  return table_->surfaces.front()->restore(std::move(cache));
+}
+std::size_t DistanceGrid::restored_nodes() const {
+  return table_->surfaces.front()->restored_nodes();
 }
 
 double DistanceGrid::lower_bound(double distance) const {

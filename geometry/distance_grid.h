@@ -52,7 +52,9 @@ class DistanceGrid {
   std::size_t computed_nodes() const;
   /// Takes the distances that such a grid computed: lookups return the same, sooner. It returns
   /// false and takes nothing from the cache of a different grid. Call it before the first lookup.
-  bool restore(const DistanceCache& cache);
+  bool restore(DistanceCache cache);
+  /// Number of nodes in what restore() took.
+  std::size_t restored_nodes() const;
 
   struct Sample {
     double distance;  ///< metres, negative inside

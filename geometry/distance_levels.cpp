@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/triangle_tree.h"
 
@@ -98,35 +99,68 @@ double DistanceLevels::lower_bound(double distance, double cell, double band) {
 
 std::size_t DistanceLevels::Level::cubes() const { return nodes.count() / cube_nodes; }
 
-std::size_t DistanceLevels::Level::place(std::size_t cube, std::size_t i) const {
+std::size_t DistanceLevels::Level::cube_of(const Index& node) const {
+  std::size_t cube = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const int along = (node[axis] - nodes.first()[axis]) / cube_side;
+    cube = cube * (nodes.size()[axis] / cube_side) + along;
+  }
+  return cube;
+}
+
+template <typename Call>
+void DistanceLevels::Level::for_each_node(std::size_t cube, const Call& call) const {
   Index node;
   for (int axis = 0; axis < 3; ++axis) {
     const auto along = static_cast<std::size_t>(nodes.size()[axis] / cube_side);
-    node[axis] = nodes.first()[axis] + cube_side * static_cast<int>(cube % along) +
-                 static_cast<int>(i % cube_side);
+    node[axis] = nodes.first()[axis] + cube_side * static_cast<int>(cube % along);
     cube /= along;
-    i /= cube_side;
   }
-  return nodes.place(node);
+  const std::size_t first = nodes.place(node);
+  const auto row = static_cast<std::size_t>(nodes.size()[0]);
+  const std::size_t slice = row * nodes.size()[1];
+  std::size_t i = 0;
+  for (std::size_t z = 0; z < cube_side; ++z) {
+    for (std::size_t y = 0; y < cube_side; ++y) {
+      for (std::size_t x = 0; x < cube_side; ++x) call(i++, first + z * slice + y * row + x);
+    }
+  }
+}
+
+bool DistanceLevels::Level::uses(std::size_t cube) const {
+  return std::atomic_ref(in_use[cube]).load(std::memory_order_relaxed) != 0;
+}
+
+void DistanceLevels::Level::use(std::size_t cube) const {
+  if (uses(cube)) return;
+  if (!known_at.empty() && known_at[cube] != 0) {
+    const DistanceCache::Cube& values = known[known_at[cube] - 1];
+    for_each_node(cube, [&](std::size_t i, std::size_t place) {
+      if (values.values[i] != 0) nodes.store(place, values.values[i]);
+    });
+  }
+  std::atomic_ref(in_use[cube]).store(1, std::memory_order_relaxed);
 }
 
 DistanceCache DistanceLevels::cache() const {
   DistanceCache cache{levels_[0].cell, band_, nodes().first(), nodes().size(), {}};
   for (std::size_t l = 0; l < levels; ++l) {
     for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
-      DistanceCache::Cube cube{static_cast<int>(c), {}};
-      bool any = false;
-      for (std::size_t i = 0; i < cube_nodes; ++i) {
-        cube.values[i] = levels_[l].nodes.load(levels_[l].place(c, i));
-        any |= cube.values[i] != 0;
+      const Level& level = levels_[l];
+      if (level.uses(c)) {
+        DistanceCache::Cube& cube = cache.levels[l].emplace_back(static_cast<int>(c));
+        level.for_each_node(c, [&](std::size_t i, std::size_t place) {
+          cube.values[i] = level.nodes.load(place);
+        });
+      } else if (!level.known_at.empty() && level.known_at[c] != 0) {
+        cache.levels[l].push_back(level.known[level.known_at[c] - 1]);
       }
-      if (any) cache.levels[l].push_back(cube);
     }
   }
   return cache;
 }
 
-bool DistanceLevels::restore(const DistanceCache& cache) {
+bool DistanceLevels::restore(DistanceCache cache) {
   if (cache.cell != levels_[0].cell || cache.band != band_ || cache.first != nodes().first() ||
       cache.size != nodes().size()) {
     return false;
@@ -139,15 +173,20 @@ bool DistanceLevels::restore(const DistanceCache& cache) {
     }
   }
   for (std::size_t l = 0; l < levels; ++l) {
-    const Level& level = levels_[l];
-    for (const DistanceCache::Cube& cube : cache.levels[l]) {
-      for (std::size_t i = 0; i < cube_nodes; ++i) {
-        if (cube.values[i] == 0) continue;
-        level.nodes.store(level.place(static_cast<std::size_t>(cube.number), i), cube.values[i]);
-      }
+    Level& level = levels_[l];
+    level.known = std::move(cache.levels[l]);
+    level.known_at.assign(level.cubes(), 0);
+    for (std::size_t k = 0; k < level.known.size(); ++k) {
+      level.known_at[level.known[k].number] = static_cast<int>(k) + 1;
     }
   }
   return true;
+}
+
+std::size_t DistanceLevels::restored_nodes() const {
+  std::size_t nodes = 0;
+  for (const Level& level : levels_) nodes += level.known.size() * cube_nodes;
+  return nodes;
 }
 
 void DistanceLevels::cover(const Index& first, const Index& size) {
@@ -155,6 +194,11 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
   Index end;
   for (int axis = 0; axis < 3; ++axis) end[axis] = first[axis] + size[axis];
   for (Level& level : levels_) {
+    for (const DistanceCache::Cube& cube : level.known) {
+      level.use(static_cast<std::size_t>(cube.number));
+    }
+    level.known.clear();
+    level.known_at.clear();
     Index covered_size;
     for (int axis = 0; axis < 3; ++axis) {
       // Whole cubes, then the next level's nodes around them.
@@ -164,19 +208,20 @@ void DistanceLevels::cover(const Index& first, const Index& size) {
       covered_size[axis] = coarsening * end_cell - low[axis];
       end[axis] = end_cell + 1;
     }
-    NodeValues covered(low, covered_size);
+    const NodeValues before = std::exchange(level.nodes, NodeValues(low, covered_size));
+    level.in_use.assign(level.cubes(), 0);
     low = cell_of(low);
-    const NodeValues& before = level.nodes;
     for (int k = 0; k < before.size()[2]; ++k) {
       for (int j = 0; j < before.size()[1]; ++j) {
         for (int i = 0; i < before.size()[0]; ++i) {
           const Index node = {before.first()[0] + i, before.first()[1] + j, before.first()[2] + k};
           const float known = before.load(before.place(node));
-          if (known != 0) covered.store(covered.place(node), known);
+          if (known == 0) continue;
+          level.nodes.store(level.nodes.place(node), known);
+          level.in_use[level.cube_of(node)] = 1;
         }
       }
     }
-    level.nodes = std::move(covered);
   }
 }
 
@@ -195,6 +240,8 @@ void DistanceLevels::store(std::size_t level, std::size_t place, float value) co
 void DistanceLevels::compute_cube(const Index& node) const {
   static_assert(coarsening == cube_side && cube_nodes <= TriangleTree::most_points);
   const NodeValues& finest = nodes();
+  levels_[0].use(levels_[0].cube_of(node));
+  if (finest.load(finest.place(node)) != 0) return;
   const Index cell = cell_of(node);
   SurfacePoint near;  // a hint: neighbouring nodes have closest points near each other
   const Corners around = corners(1, cell, near);
@@ -225,6 +272,7 @@ void DistanceLevels::compute_cube(const Index& node) const {
 float DistanceLevels::at(std::size_t level, const Index& node, SurfacePoint& near) const {
   const NodeValues& nodes = levels_[level].nodes;
   const std::size_t place = nodes.place(node);
+  if (nodes.load(place) == 0) levels_[level].use(levels_[level].cube_of(node));
   if (nodes.load(place) == 0) {
     std::optional<float> value;
     if (level + 1 < levels)

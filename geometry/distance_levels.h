@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "geometry/distance_cache.h"
 #include "geometry/node_values.h"
@@ -40,10 +41,12 @@ class DistanceLevels {
   DistanceCache cache() const;
   /// Number of nodes that this object computed, without restored ones.
   std::size_t computed_nodes() const { return computed_.load(); }
-  /// Takes the distances that another object computed for the same surface. It returns false and
-  /// takes nothing when the cache's grid differs or a cube's number is out of range. No other call
-  /// may run meanwhile.
-  bool restore(const DistanceCache& cache);
+  /// Takes the distances that another object computed for the same surface. Each cube of them comes
+  /// into the grid on first use. It returns false and takes nothing when the cache's grid differs or
+  /// a cube's number is out of range. No other call may run meanwhile.
+  bool restore(DistanceCache cache);
+  /// Number of nodes in the cubes that restore() took.
+  std::size_t restored_nodes() const;
 
   /// Metres: a lower bound of a point's true distance where a spline through the nodes around it
   /// has the value `distance`. `distance` is above `band` or below -`band`.
@@ -56,10 +59,18 @@ class DistanceLevels {
     double exact;  // metres from the surface within which nodes are always computed exactly
     double reach;  // metres: nodes interpolated to be nearer than this are computed exactly, too
     mutable NodeValues nodes;  // metres
+    std::vector<DistanceCache::Cube> known;  // restored
+    std::vector<int> known_at;         // per cube, its place in `known`, from 1; 0: it is not there
+    mutable std::vector<char> in_use;  // per cube, whether `nodes` has some of it, or all known
 
     std::size_t cubes() const;
-    /// The place of node i of a cube.
-    std::size_t place(std::size_t cube, std::size_t i) const;
+    std::size_t cube_of(const Index& node) const;
+    /// Calls with i and the place of each node i of a cube.
+    template <typename Call>
+    void for_each_node(std::size_t cube, const Call& call) const;
+    /// Whether a cube is in use. What is known of it has come into `nodes` then.
+    bool uses(std::size_t cube) const;
+    void use(std::size_t cube) const;
   };
   static constexpr std::size_t levels = 3;
 

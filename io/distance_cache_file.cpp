@@ -1,13 +1,14 @@
 #include "io/distance_cache_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <cstring>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
-#include "geometry/error.h"
 #include "io/output_file.h"
 
 namespace toile {
@@ -15,12 +16,8 @@ namespace toile {
 namespace {
 
 using Checksum = std::uint64_t;
-using Count = std::uint64_t;
-
-/// The version in it changes with the format of the rest of the file.
-constexpr char magic[] = "toile body distances 1\n";
-/// A machine of the other byte order reads another number and rejects the file.
-constexpr std::uint32_t byte_order = 0x01020304;
+using Cube = DistanceCache::Cube;
+constexpr std::size_t levels = std::tuple_size_v<decltype(DistanceCache::levels)>;
 
 /// The standard library's hash. A file written with another library fails the check and is not
 /// used.
@@ -29,78 +26,90 @@ Checksum checksum(const void* bytes, std::size_t count) {
 }
 
 template <class T>
-void append(std::string& bytes, const T* items, std::size_t count) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  bytes.append(reinterpret_cast<const char*>(items), count * sizeof(T));
+Checksum checksum_of(const std::vector<T>& items) {
+  return checksum(items.data(), items.size() * sizeof(T));
 }
 
-std::string head_of(const TriangleMesh& body) {
-  std::string head = magic;
-  append(head, &byte_order, 1);
-  const Checksum of_body[] = {
-      checksum(body.points.data(), body.points.size() * sizeof(body.points[0])),
-      checksum(body.triangles.data(), body.triangles.size() * sizeof(body.triangles[0]))};
-  append(head, of_body, 2);
+/// What a file begins with; the cubes of each level follow.
+struct Head {
+  /// The version in it changes with the format of the rest of the file.
+  std::array<char, 24> magic = {"toile body distances 2\n"};
+  /// A machine of the other byte order reads another number and rejects the file.
+  std::uint64_t byte_order = 0x0102030405060708;
+  Checksum of_points = 0;  ///< of the body
+  Checksum of_triangles = 0;
+  double cell = 0;
+  double band = 0;
+  std::array<int, 3> first = {};
+  std::array<int, 3> size = {};
+  std::array<std::uint64_t, levels> cubes = {};
+  std::array<Checksum, levels> of_cubes = {};
+  Checksum of_head = 0;  ///< of all that stands before
+
+  Checksum sum() const { return checksum(this, sizeof(Head) - sizeof(Checksum)); }
+  bool is_of(const Head& body) const {
+    return magic == body.magic && byte_order == body.byte_order && of_points == body.of_points &&
+           of_triangles == body.of_triangles && of_head == sum();
+  }
+  std::uint64_t file_size() const {
+    std::uint64_t bytes = sizeof(Head);
+    for (const std::uint64_t count : cubes) bytes += count * sizeof(Cube);
+    return bytes;
+  }
+};
+static_assert(std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<Cube>);
+
+Head head_of(const TriangleMesh& body) {
+  Head head;
+  head.of_points = checksum_of(body.points);
+  head.of_triangles = checksum_of(body.triangles);
   return head;
 }
 
-/// Moves `count` items from the front of `bytes` to `items`. False when there are too few bytes.
 template <class T>
-bool take(std::string_view& bytes, T* items, std::size_t count) {
-  if (bytes.size() / sizeof(T) < count) return false;
-  if (count > 0) std::memcpy(items, bytes.data(), count * sizeof(T));
-  bytes.remove_prefix(count * sizeof(T));
-  return true;
+bool read(std::ifstream& file, T* items, std::size_t count) {
+  return static_cast<bool>(
+      file.read(reinterpret_cast<char*>(items), static_cast<std::streamsize>(count * sizeof(T))));
 }
 
 }  // namespace
 
 void write_distance_cache(const std::filesystem::path& path, const TriangleMesh& body,
                           const DistanceCache& cache) {
-  std::string bytes = head_of(body);
-  append(bytes, &cache.cell, 1);
-  append(bytes, &cache.band, 1);
-  append(bytes, cache.first.data(), cache.first.size());
-  append(bytes, cache.size.data(), cache.size.size());
-  for (const auto& cubes : cache.levels) {
-    const Count count = cubes.size();
-    append(bytes, &count, 1);
-    append(bytes, cubes.data(), cubes.size());
+  Head head = head_of(body);
+  head.cell = cache.cell;
+  head.band = cache.band;
+  head.first = cache.first;
+  head.size = cache.size;
+  for (std::size_t l = 0; l < levels; ++l) {
+    head.cubes[l] = cache.levels[l].size();
+    head.of_cubes[l] = checksum_of(cache.levels[l]);
   }
-  const Checksum of_all = checksum(bytes.data(), bytes.size());
-  append(bytes, &of_all, 1);
+  head.of_head = head.sum();
+  std::string bytes;
+  bytes.reserve(head.file_size());
+  bytes.append(reinterpret_cast<const char*>(&head), sizeof head);
+  for (const std::vector<Cube>& cubes : cache.levels) {
+    bytes.append(reinterpret_cast<const char*>(cubes.data()), cubes.size() * sizeof(Cube));
+  }
   write_file(path, bytes);
 }
 
 std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& path,
                                                  const TriangleMesh& body) {
-  std::string content;
-  try {
-    content = read_file(path);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-  std::string_view bytes = content;
-  const std::string head = head_of(body);
-  Checksum of_all = 0;
-  if (!bytes.starts_with(head) || bytes.size() < head.size() + sizeof of_all) return std::nullopt;
-  std::memcpy(&of_all, bytes.data() + bytes.size() - sizeof of_all, sizeof of_all);
-  bytes.remove_suffix(sizeof of_all);
-  if (of_all != checksum(bytes.data(), bytes.size())) return std::nullopt;
-  bytes.remove_prefix(head.size());
-  DistanceCache cache;
-  if (!take(bytes, &cache.cell, 1) || !take(bytes, &cache.band, 1) ||
-      !take(bytes, cache.first.data(), cache.first.size()) ||
-      !take(bytes, cache.size.data(), cache.size.size())) {
-    return std::nullopt;
-  }
-  for (auto& cubes : cache.levels) {
-    Count count = 0;
-    if (!take(bytes, &count, 1) || count > bytes.size() / sizeof(DistanceCache::Cube)) {
+  std::ifstream file(path, std::ios::binary);
+  Head head;
+  if (!file || !read(file, &head, 1) || !head.is_of(head_of(body))) return std::nullopt;
+  std::error_code failed;
+  if (std::filesystem::file_size(path, failed) != head.file_size() || failed) return std::nullopt;
+  DistanceCache cache{head.cell, head.band, head.first, head.size, {}};
+  for (std::size_t l = 0; l < levels; ++l) {
+    // Read in place: there are tens of megabytes of them.
+    cache.levels[l].resize(head.cubes[l]);
+    if (!read(file, cache.levels[l].data(), head.cubes[l]) ||
+        checksum_of(cache.levels[l]) != head.of_cubes[l]) {
       return std::nullopt;
     }
-    cubes.resize(count);
-    if (!take(bytes, cubes.data(), count)) return std::nullopt;
   }
   return cache;
 }

@@ -63,8 +63,12 @@ inline constexpr double closing_stretch = 1000;
 /// N/m: cloth is at least so stiff in shear while its seams close.
 inline constexpr double closing_shear = 200;
 
+/// Metres: edges of a mesh on which seams are sure to close. A coarser one is tried once, where the
+/// next finer one is small enough to sew on.
+inline constexpr double sewing_edge = 0.05;
+
 /// Nodes of the coarsest mesh from which on panels are sewn only once: again takes minutes.
-inline constexpr int max_resewn_nodes = 3000;
+inline constexpr int max_resewn_nodes = 3500;
 
 /// Metres between the bones of an arm and a panel's point, in the view from the front. An arm that
 /// all points are farther from is in nobody's way, and stays as it is while seams close.

@@ -16,12 +16,15 @@ struct Quality {
 };
 
 /// Of the relaxation. Expected, not bounded: loose cloth can be farther from its rest.
-inline constexpr std::array<Quality, 3> qualities = {{
+inline constexpr std::array<Quality, 4> qualities = {{
+    // Far enough that no figure is a quarter of its error from its rest [docs/method.md].
+    {"figures", 0.1, 2e-3},
     {"draft", 0.05, 1.97e-3},
     {"standard", 0.0015, 0.48e-3},
     {"fine", 0.0005, 0.13e-3},
 }};
-inline constexpr const Quality& standard_quality = qualities[1];
+inline constexpr const Quality& figures_quality = qualities[0];
+inline constexpr const Quality& standard_quality = qualities[2];
 
 /// Root mean square of the residual that rest may have, in medians that it may have: stop_rms over
 /// stop_median.

@@ -137,7 +137,7 @@ Staged close_and_untangle(const Level& level, const Closing& closing, Journal& j
 
 }  // namespace
 
-Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset, bool once,
          Journal& journal) {
   const std::optional<ArmRaise> raise = arm_raise(mesh, scene);
   std::optional<RaisedScene> raised;
@@ -147,7 +147,9 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
   if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
   Positioned positioned = position(raise ? turned : mesh, depth, raised ? raised->scene : scene,
                                    resting_offset, journal);
-  Sewn sewn{std::move(positioned.placement), std::move(positioned.level), {}};
+  Sewn sewn;
+  sewn.placement = std::move(positioned.placement);
+  sewn.level = std::move(positioned.level);
   if (mesh.seams.empty()) {
     sewn.state.nodes = sewn.level.model.start;
     sewn.is_clear = is_clear_of_itself(sewn.level, sewn.state);
@@ -160,10 +162,9 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
         compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
   }
   int attempt = journal.attempt();
-  bool crosses = false;
   for (const Closing& closing : closing_attempts) {
     // Stiffer cloth helps where it came out tangled, larger cloth where it crosses the body.
-    if (closing.size > 1 ? !crosses : sewn.is_clear) continue;
+    if (closing.size > 1 ? !sewn.crosses_body : sewn.is_clear) continue;
     journal.begin_attempt(attempt++);
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     const Level large = enlarged(sewn.level, closing.size);
@@ -183,8 +184,8 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     if (staged.report.converged) staged = shrink(worn, std::move(staged), closing, journal);
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
-    crosses = crosses_body(worn, sewn.state);
-    if (sewn.level.model.nodes > max_resewn_nodes) break;
+    sewn.crosses_body = crosses_body(worn, sewn.state);
+    if (once || sewn.level.model.nodes > max_resewn_nodes) break;
   }
   if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
   if (raise) sewn.level = std::move(standing);

@@ -12,7 +12,8 @@ struct Sewn {
   Placement placement;
   Level level;  ///< compiled for closing_scene()
   State state;
-  bool is_clear = false;  ///< of itself
+  bool is_clear = false;      ///< of itself
+  bool crosses_body = false;  ///< as what closed through an arm does
 };
 
 /// Places the panels around the scene's body and closes their seams (stages.h).
@@ -21,9 +22,9 @@ struct Sewn {
 /// (ArmRaise). Skirts and wide tops then close past the arms, and sleeves around them. The garment
 /// comes down with the arms. Over layers the arms stay.
 ///
-/// Panels that tangle are sewn again in other ways (closing_attempts). Throws what find_start()
-/// and compile() throw.
-Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+/// Panels that tangle or cross the body are sewn again in other ways (closing_attempts), unless
+/// `once` is asked for. Throws what find_start() and compile() throw.
+Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset, bool once,
          Journal& journal);
 
 }  // namespace toile

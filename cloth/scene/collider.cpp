@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace toile {
 
-Collider::Collider(const TriangleMesh& body, const DistanceCache& known,
+Collider::Collider(const TriangleMesh& body, DistanceCache known,
                    const DistanceGridOptions& options)
     : surfaces_{SurfaceDistance(body)}, surface_(body), grid_(surfaces_.front(), options) {
-  if (!known.empty()) grid_.restore(known);
+  if (!known.empty()) grid_.restore(std::move(known));
 }
 
 void Collider::add_layer(const TriangleMesh& garment) {

@@ -18,7 +18,7 @@ class Collider {
   /// The body alone: closed, outward-oriented, metres. `known` are grid distances computed for an
   /// earlier collider of the same body and options, which are then not computed again. Throws Error
   /// when the body has no triangles.
-  explicit Collider(const TriangleMesh& body, const DistanceCache& known = {},
+  explicit Collider(const TriangleMesh& body, DistanceCache known = {},
                     const DistanceGridOptions& options = {});
 
   /// Adds a dressed garment to the surface. Its triangles face away from the body. References

@@ -181,6 +181,28 @@ BodyGirth girth_along(const Measure& measure) {
 
 }  // namespace
 
+MeasureValues values_of(const std::vector<Measure>& measures) {
+  MeasureValues values;
+  for (const Measure& measure : measures) {
+    if (measure.value) values[measure.name] = *measure.value;
+  }
+  return values;
+}
+
+MeasureValues without_sides(const MeasureValues& values) {
+  MeasureValues whole;
+  for (const auto& [name, value] : values) {
+    const bool has_side = name.starts_with("left_") || name.starts_with("right_");
+    const std::string bare = has_side ? name.substr(name.find('_') + 1) : name;
+    if (bare != name && values.contains(bare)) continue;
+    const auto left = values.find("left_" + bare);
+    const auto right = values.find("right_" + bare);
+    const bool both = has_side && left != values.end() && right != values.end();
+    whole[bare] = both ? (left->second + right->second) / 2 : value;
+  }
+  return whole;
+}
+
 BodyMeasures body_measures(const std::vector<Measure>& measures) {
   BodyMeasures taken;
   for (const Measure& measure : measures) {

@@ -7,6 +7,7 @@
 
 #include "geometry/body/body_measures.h"
 #include "geometry/body/find_landmarks.h"
+#include "geometry/body/measure_values.h"
 
 namespace toile {
 
@@ -36,6 +37,12 @@ std::vector<Measure> measure_body(const BodyShape& shape);
 
 /// What garments are compared with, of the measures that have a value.
 BodyMeasures body_measures(const std::vector<Measure>& measures);
+
+/// Those that have a value, by name.
+MeasureValues values_of(const std::vector<Measure>& measures);
+/// Left and right as one, without the side in the name: the mean where both are there. A value that
+/// has no side in its name wins over both.
+MeasureValues without_sides(const MeasureValues& values);
 
 /// The measure of that name; null where there is none.
 const Measure* find_measure(const std::vector<Measure>& measures, const std::string& name);

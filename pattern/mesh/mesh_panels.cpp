@@ -83,10 +83,16 @@ void check_size(const Pattern& pattern, double edge_length) {
 
 /// Subdivisions that keep the coarsest edges at about coarsest_edge, or its mesh small.
 int default_subdivisions(const Pattern& pattern, double edge_length) {
+  const auto triangles = [&](int subdivisions) {
+    return expected_triangles(pattern, edge_length * (1 << subdivisions));
+  };
   int subdivisions =
       std::max(0, static_cast<int>(std::lround(std::log2(coarsest_edge / edge_length))));
-  while (subdivisions < max_subdivisions &&
-         expected_triangles(pattern, edge_length * (1 << subdivisions)) > max_coarsest_triangles) {
+  const double next = 2 * edge_length * (1 << subdivisions);
+  if (triangles(subdivisions) > many_coarsest_triangles && next < longest_coarse_edge) {
+    ++subdivisions;
+  }
+  while (subdivisions < max_subdivisions && triangles(subdivisions) > max_coarsest_triangles) {
     ++subdivisions;
   }
   return subdivisions;

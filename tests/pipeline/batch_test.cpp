@@ -43,7 +43,7 @@ class ToileBatch : public testing::Test {
     fs::copy_file(sample("tube_top"), *shared / "top, new.json");
     write_text(*shared / "garments.csv",
                "season,pattern,name,edge_length,options,fabric\n"
-               "\"spring, early\",band.json,,40mm,--quality draft,\n"
+               "\"spring, early\",band.json,,40mm,,\n"
                "autumn,\"top, new.json\",top,,--quality draft,jersey\n");
     done = new pipeline::Run(batch({*shared / "garments.csv", "-o", *shared / "out", "-j", "2"}));
   }
@@ -132,7 +132,7 @@ TEST_F(ToileBatch, HasTheBitsOfOneByOne) {
   const std::string body = folder / "body.ply", garment = folder / "garment.obj";
   succeed("clean-body", {*shared / "body.ply", "-o", body, "-q"});
   succeed("mesh-pattern", {*shared / "band.json", "-o", garment, "--edge-length", "40mm", "-q"});
-  succeed("dress", {"--body", body, garment, "-o", folder / "dressed.obj", "--quality", "draft",
+  succeed("dress", {"--body", body, garment, "-o", folder / "dressed.obj", "--quality", "figures",
                     "-q", "--threads", "2"});
   const fs::path out = *shared / "out";
   EXPECT_EQ(read_text(out / "bodies" / "body.ply"), read_text(body));

@@ -33,7 +33,7 @@ class ToileFit : public testing::Test {
   pipeline::Run fit() {
     write_text(folder / "pattern.json", pattern.dump());
     return run("toile", {"fit", "--body", body, folder / "pattern.json", "-o", folder / "out",
-                         "--edge-length", "35mm", "--quality", "draft"});
+                         "--edge-length", "35mm"});
   }
   Json report(const std::string& name) { return Json::parse(read_text(folder / "out" / name)); }
   Json& panels() { return pattern["pattern"]["panels"]; }
@@ -53,6 +53,7 @@ TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   }
   const pipeline::Run done = fit();
   const Json said = report("dressed.json");
+  EXPECT_EQ(said["quality"], "figures");
   EXPECT_EQ(said["fit"]["verdict"], "too_small") << done.err;
   ASSERT_FALSE(said["fit"]["levels"].empty());
   EXPECT_GT(said["fit"]["levels"][0]["missing_cm"], 5);

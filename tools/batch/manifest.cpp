@@ -143,6 +143,10 @@ void read_options(BatchRow& row, const std::string& place) {
     po::store(po::command_line_parser(words).options(dress).run(), given);
     po::notify(given);
     check_dress_options(given);
+    if (given["quality"].defaulted() && given.count("residual") == 0 &&
+        given["method"].defaulted()) {
+      row.options.insert(row.options.end(), {"--quality", figures_quality.name});
+    }
     read_dress_settings(given, "dressed.obj");
   } catch (const UsageError& wrong) {
     throw Error(place, std::string("options: ") + wrong.what(), "");

@@ -1,5 +1,6 @@
 #include "tools/dress/kept_distances.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -15,7 +16,10 @@ namespace fs = std::filesystem;
 bool keep_distances(const fs::path& path, const Collider& body, std::size_t computed,
                     DressLog& log) {
   constexpr std::size_t worth_writing = 2000;  // nodes, a few milliseconds' work
-  if (computed < worth_writing) return false;
+  // A file that grows by little takes as long to write as it saves.
+  constexpr std::size_t known_over_new = 10;
+  const std::size_t known = body.grid().restored_nodes();
+  if (computed < std::max(worth_writing, known / known_over_new)) return false;
   try {
     write_distance_cache(path, body.body(), body.grid().cache());
   } catch (const Error& error) {

@@ -118,19 +118,18 @@ DressOptions until_residual(double residual) {
 }  // namespace
 
 const Quality& read_quality(const po::variables_map& given) {
-  if (given.count("quality") == 0) return standard_quality;
   const string name = given["quality"].as<string>();
   for (const Quality& quality : qualities) {
     if (name == quality.name) return quality;
   }
-  throw po::error("--quality is draft, standard or fine");
+  throw po::error("--quality is figures, draft, standard or fine");
 }
 
 DressMethod relaxation_of(const Quality& quality) {
   return {"relaxation", quality, relaxation_method(until_residual(quality.residual), false)};
 }
 
-void add_method_options(po::options_description& options) {
+void add_method_options(po::options_description& options, const Quality& usual) {
   options.add_options()("method", po::value<string>()->default_value("relaxation"),
                         "relaxation: fast; paper: Zhong & Xu 2009, masses and springs in time")(
       "strain-limit", po::value<double>(),
@@ -139,9 +138,9 @@ void add_method_options(po::options_description& options) {
       "given")(
       "shear-limit", po::value<double>(),
       "relaxation: hold the angle between warp and weft to this many degrees off the right one")(
-      "quality", po::value<string>(),
-      "draft (a residual of 0.05), standard (0.0015; the default) or fine (0.0005); for the "
-      "paper's method, standard is 0.05")(
+      "quality", po::value<string>()->default_value(usual.name),
+      "figures (a residual of 0.1), draft (0.05), standard (0.0015) or fine (0.0005); the paper's "
+      "method goes to 0.05 if not told otherwise")(
       "residual", po::value<double>(),
       "instead of a quality: at rest when the force left on half of the nodes is below this share "
       "of a node's weight; method.md says the whole")(
@@ -162,7 +161,7 @@ void add_method_options(po::options_description& options) {
 void check_method_options(const po::variables_map& given) {
   const string method = given["method"].as<string>();
   read_quality(given);
-  if (given.count("quality") && given.count("residual")) {
+  if (!given["quality"].defaulted() && given.count("residual")) {
     throw po::error("--quality and --residual say the same: give one");
   }
   if (method == "paper") {
@@ -204,8 +203,9 @@ std::optional<double> read_shear_limit(const po::variables_map& given) {
 /// Residual of a garment at rest, in mean node weights.
 double read_residual(const po::variables_map& given, bool of_paper) {
   const Quality quality = read_quality(given);
-  const bool is_standard = string(quality.name) == standard_quality.name;
-  double residual = of_paper && is_standard ? spring_resting_residual : quality.residual;
+  const bool is_usual =
+      given["quality"].defaulted() || string(quality.name) == standard_quality.name;
+  double residual = of_paper && is_usual ? spring_resting_residual : quality.residual;
   if (given.count("residual")) residual = given["residual"].as<double>();
   if (!(residual > 0 && residual < 1)) {
     throw UsageError("--residual", "is not between 0 and 1", "leave it out for the default");

@@ -117,10 +117,10 @@ void add_dress_options(po::options_description& options) {
       "cache",
       "keep the body's distances beside it, body.distances for body.ply: later garments on this "
       "body are dressed the same, sooner");
-  add_drape_options(options);
+  add_drape_options(options, standard_quality);
 }
 
-void add_drape_options(po::options_description& options) {
+void add_drape_options(po::options_description& options, const Quality& usual) {
   using po::value;
   using std::string;
   options.add_options()(
@@ -136,7 +136,7 @@ void add_drape_options(po::options_description& options) {
       "no-floor",
       "let cloth hang through the floor that the body stands on; the paper's method has no floor");
   add_fabric_option(options);
-  add_method_options(options);
+  add_method_options(options, usual);
 }
 
 void check_dress_options(const po::variables_map& given) {

@@ -67,7 +67,7 @@ std::vector<fs::path> FitFiles::of_drape() const {
 
 void add_fit_options(po::options_description& options) {
   add_edge_length_option(options);
-  add_drape_options(options);
+  add_drape_options(options, figures_quality);
   options.add_options()("cache",
                         "keep the body's distances in OUT/body.distances, with --from beside both "
                         "bodies: later fits take less time")(

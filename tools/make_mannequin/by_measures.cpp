@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/body/measures.h"
 #include "geometry/body/body_proportions.h"
 #include "geometry/body/mannequin/fit_mannequin.h"
 #include "geometry/body/measure_checks.h"
@@ -30,27 +31,6 @@ struct Asked {
   std::map<std::string, std::string> taken_as;
   std::vector<std::string> left_out;
 };
-
-/// Left and right as one: a mannequin has two sides alike.
-MeasureValues without_sides(const std::map<std::string, double>& values) {
-  MeasureValues whole;
-  for (const auto& [name, value] : values) {
-    if (!name.starts_with("left_") && !name.starts_with("right_")) {
-      whole[name] = value;
-      continue;
-    }
-    const std::string bare = name.substr(name.find('_') + 1);
-    if (values.contains(bare)) continue;
-    const auto left = values.find("left_" + bare);
-    const auto right = values.find("right_" + bare);
-    if (left == values.end() || right == values.end()) {
-      whole[bare] = value;
-    } else {
-      whole[bare] = (left->second + right->second) / 2;
-    }
-  }
-  return whole;
-}
 
 Asked asked_measures(const MeasureSettings& settings) {
   constexpr double centimetre = 0.01;

@@ -33,23 +33,6 @@ Json measure_json(const MeasuredBody& all, const Measure& measure) {
   return json;
 }
 
-/// Metres or degrees by names without a side: the mean of the sides that there are.
-MeasureValues whole_values(const std::vector<Measure>& measures) {
-  MeasureValues sums;
-  std::map<std::string, int> counts;
-  for (const Measure& measure : measures) {
-    if (!measure.value) continue;
-    std::string name = measure.name;
-    for (const std::string_view side : {"left_", "right_"}) {
-      if (name.starts_with(side)) name.erase(0, side.size());
-    }
-    sums[name] += *measure.value;
-    ++counts[name];
-  }
-  for (auto& [name, sum] : sums) sum /= counts[name];
-  return sums;
-}
-
 struct Foreign {
   std::string name;
   double value;  // metres or degrees
@@ -58,7 +41,7 @@ struct Foreign {
 
 std::vector<Foreign> foreign_values(const MeasuredBody& all, DraftingProgram program,
                                     ForeignGaps& gaps) {
-  const MeasureValues measured = whole_values(all.measures);
+  const MeasureValues measured = without_sides(values_of(all.measures));
   std::optional<MeasureValues> by_proportion;
   std::vector<Foreign> values;
   for (const ForeignMeasure& foreign : foreign_measures(program)) {

@@ -76,23 +76,6 @@ double back_length(const TriangleMesh& body, double waist, double cervicale) {
   return length;
 }
 
-/// What measure_body() takes, both sides as one.
-MeasureValues tape_measures(const TriangleMesh& body) {
-  MeasureValues sums;
-  std::map<std::string, int> counts;
-  for (const Measure& measure : measure_body(find_landmarks(body, "mannequin"))) {
-    if (!measure.value) continue;
-    std::string name = measure.name;
-    for (const char* side : {"left_", "right_"}) {
-      if (name.starts_with(side)) name.erase(0, std::string(side).size());
-    }
-    sums[name] += *measure.value;
-    ++counts[name];
-  }
-  for (auto& [name, sum] : sums) sum /= counts[name];
-  return sums;
-}
-
 }  // namespace
 
 std::string measure_of(const MannequinGirth& girth) {
@@ -153,7 +136,8 @@ MeasureValues mannequin_measures(const Mannequin& mannequin) {
     const auto own = measures.find(name);
     if (own == measures.end() || std::abs(value / own->second - 1) <= alike) measures[name] = value;
   };
-  const MeasureValues tape = tape_measures(body);
+  const MeasureValues tape =
+      without_sides(values_of(measure_body(find_landmarks(body, "mannequin"))));
   for (const auto& [name, value] : tape) {
     if (name.ends_with("_height")) take(name, value, 0.12);
   }
