@@ -149,9 +149,8 @@ DistanceCache DistanceLevels::cache() const {
       const Level& level = levels_[l];
       if (level.uses(c)) {
         DistanceCache::Cube& cube = cache.levels[l].emplace_back(static_cast<int>(c));
-        level.for_each_node(c, [&](std::size_t i, std::size_t place) {
-          cube.values[i] = level.nodes.load(place);
-        });
+        level.for_each_node(
+            c, [&](std::size_t i, std::size_t place) { cube.values[i] = level.nodes.load(place); });
       } else if (!level.known_at.empty() && level.known_at[c] != 0) {
         cache.levels[l].push_back(level.known[level.known_at[c] - 1]);
       }

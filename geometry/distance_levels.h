@@ -42,8 +42,8 @@ class DistanceLevels {
   /// Number of nodes that this object computed, without restored ones.
   std::size_t computed_nodes() const { return computed_.load(); }
   /// Takes the distances that another object computed for the same surface. Each cube of them comes
-  /// into the grid on first use. It returns false and takes nothing when the cache's grid differs or
-  /// a cube's number is out of range. No other call may run meanwhile.
+  /// into the grid on first use. It returns false and takes nothing when the cache's grid differs
+  /// or a cube's number is out of range. No other call may run meanwhile.
   bool restore(DistanceCache cache);
   /// Number of nodes in the cubes that restore() took.
   std::size_t restored_nodes() const;
@@ -58,7 +58,7 @@ class DistanceLevels {
     double cell;   // metres
     double exact;  // metres from the surface within which nodes are always computed exactly
     double reach;  // metres: nodes interpolated to be nearer than this are computed exactly, too
-    mutable NodeValues nodes;  // metres
+    mutable NodeValues nodes;                // metres
     std::vector<DistanceCache::Cube> known;  // restored
     std::vector<int> known_at;         // per cube, its place in `known`, from 1; 0: it is not there
     mutable std::vector<char> in_use;  // per cube, whether `nodes` has some of it, or all known

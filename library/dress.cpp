@@ -20,7 +20,8 @@ DressSettings dress_settings(const DressChoices& choices) {
   const auto* quality = std::ranges::find_if(
       qualities, [&](const Quality& known) { return choices.quality == known.name; });
   if (quality == qualities.end()) {
-    throw Error("quality", in_quotes(choices.quality) + " is none of figures, draft, standard, fine", "");
+    throw Error("quality",
+                in_quotes(choices.quality) + " is none of figures, draft, standard, fine", "");
   }
   DressSettings settings;
   settings.body = "body";

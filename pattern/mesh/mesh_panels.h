@@ -13,9 +13,9 @@ namespace toile {
 struct MeshSettings {
   double edge_length = 0.01;  ///< wanted length of triangle edges, metres
   /// Subdivisions of the nested triangulation, 0 to max_subdivisions. A negative number asks for as
-  /// many as keep the coarsest edges at about coarsest_edge. There is one more where the coarsest
-  /// level has many_coarsest_triangles and its edges stay below longest_coarse_edge, and there are
-  /// more where it would have more than max_coarsest_triangles.
+  /// many as keep the coarsest edges at about coarsest_edge. A coarsest level of more than
+  /// many_coarsest_triangles gets one more, if its edges stay below longest_coarse_edge. One of
+  /// more than max_coarsest_triangles gets as many as it needs.
   int subdivisions = -1;
 };
 

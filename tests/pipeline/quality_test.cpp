@@ -53,8 +53,8 @@ TEST_F(Quality, FinerPresetsLeaveLessAndEndNearerToRest) {
   const double draft = rms_distance(nodes("draft"), rest);
   const double standard = rms_distance(nodes("standard"), rest);
   const double fine = rms_distance(nodes("fine"), rest);
-  std::cout << "from the converged drape: figures " << 1e3 * figures << ", draft " << 1e3 * draft << ", standard " << 1e3 * standard
-            << ", fine " << 1e3 * fine << " mm rms\n";
+  std::cout << "from the converged drape: figures " << 1e3 * figures << ", draft " << 1e3 * draft
+            << ", standard " << 1e3 * standard << ", fine " << 1e3 * fine << " mm rms\n";
   EXPECT_LT(fine, standard);
   EXPECT_LE(standard, draft);
   EXPECT_LE(draft, figures);

@@ -25,8 +25,7 @@ const Quality& read_quality(const boost::program_options::variables_map& given);
 
 /// Adds --method, --strain-limit, --shear-limit, --quality, --residual and what belongs to one
 /// method only. `usual` is the quality of who asks for none.
-void add_method_options(boost::program_options::options_description& options,
-                        const Quality& usual);
+void add_method_options(boost::program_options::options_description& options, const Quality& usual);
 
 /// Throws boost::program_options::error when an option belongs to a method that is not chosen.
 void check_method_options(const boost::program_options::variables_map& given);

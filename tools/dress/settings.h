@@ -56,8 +56,7 @@ struct DressSettings {
 void add_dress_options(boost::program_options::options_description& options);
 
 /// Those of them that are of the drape itself, and of no file but fabrics'.
-void add_drape_options(boost::program_options::options_description& options,
-                       const Quality& usual);
+void add_drape_options(boost::program_options::options_description& options, const Quality& usual);
 /// The standing body, gravity, limits and the method. `settings` says whether layers are coupled.
 /// Throws UsageError for a value that an option can't take.
 void read_drape_settings(const boost::program_options::variables_map& given,

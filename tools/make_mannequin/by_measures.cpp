@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/body/measures.h"
 #include "geometry/body/body_proportions.h"
 #include "geometry/body/mannequin/fit_mannequin.h"
 #include "geometry/body/measure_checks.h"
+#include "geometry/body/measures.h"
 #include "geometry/error.h"
 #include "io/json_words.h"
 #include "io/measure_names.h"
