@@ -148,9 +148,10 @@ DistanceCache DistanceLevels::cache() const {
     for (std::size_t c = 0; c < levels_[l].cubes(); ++c) {
       const Level& level = levels_[l];
       if (level.uses(c)) {
-        DistanceCache::Cube& cube = cache.levels[l].emplace_back(static_cast<int>(c));
+        DistanceCache::Cube cube{static_cast<int>(c), {}};
         level.for_each_node(
             c, [&](std::size_t i, std::size_t place) { cube.values[i] = level.nodes.load(place); });
+        cache.levels[l].push_back(cube);
       } else if (!level.known_at.empty() && level.known_at[c] != 0) {
         cache.levels[l].push_back(level.known[level.known_at[c] - 1]);
       }
