@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -51,12 +52,11 @@ struct Head {
     return magic == body.magic && byte_order == body.byte_order && of_points == body.of_points &&
            of_triangles == body.of_triangles && of_head == sum();
   }
-  std::uint64_t file_size() const {
-    std::uint64_t bytes = sizeof(Head);
-    for (const std::uint64_t count : cubes) bytes += count * sizeof(Cube);
-    return bytes;
+  std::uint64_t all_cubes() const {
+    return std::accumulate(cubes.begin(), cubes.end(), std::uint64_t{0});
   }
 };
+static_assert(sizeof(Head) == 144, "has gaps, whose bytes are anything");
 static_assert(std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<Cube>);
 
 Head head_of(const TriangleMesh& body) {
@@ -87,7 +87,7 @@ void write_distance_cache(const std::filesystem::path& path, const TriangleMesh&
   }
   head.of_head = head.sum();
   std::string bytes;
-  bytes.reserve(head.file_size());
+  bytes.reserve(sizeof head + head.all_cubes() * sizeof(Cube));
   bytes.append(reinterpret_cast<const char*>(&head), sizeof head);
   for (const std::vector<Cube>& cubes : cache.levels) {
     bytes.append(reinterpret_cast<const char*>(cubes.data()), cubes.size() * sizeof(Cube));
@@ -101,7 +101,12 @@ std::optional<DistanceCache> read_distance_cache(const std::filesystem::path& pa
   Head head;
   if (!file || !read(file, &head, 1) || !head.is_of(head_of(body))) return std::nullopt;
   std::error_code failed;
-  if (std::filesystem::file_size(path, failed) != head.file_size() || failed) return std::nullopt;
+  const std::uint64_t size = std::filesystem::file_size(path, failed);
+  const std::uint64_t most = (size - sizeof head) / sizeof(Cube);  // so that no sum overflows
+  if (failed || std::ranges::any_of(head.cubes, [&](auto count) { return count > most; }) ||
+      size != sizeof head + head.all_cubes() * sizeof(Cube)) {
+    return std::nullopt;
+  }
   DistanceCache cache{head.cell, head.band, head.first, head.size, {}};
   for (std::size_t l = 0; l < levels; ++l) {
     // Read in place: there are tens of megabytes of them.

@@ -68,7 +68,7 @@ inline constexpr double closing_shear = 200;
 inline constexpr double sewing_edge = 0.05;
 
 /// Nodes of the coarsest mesh from which on panels are sewn only once: again takes minutes.
-inline constexpr int max_resewn_nodes = 3500;
+inline constexpr int max_resewn_nodes = 3000;
 
 /// Metres between the bones of an arm and a panel's point, in the view from the front. An arm that
 /// all points are farther from is in nobody's way, and stays as it is while seams close.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/pattern/samples.h"
 #include "tests/support/run_program.h"
 
 namespace toile {

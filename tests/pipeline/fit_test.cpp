@@ -30,10 +30,13 @@ class ToileFit : public testing::Test {
     }
     pattern = Json::parse(read_text(fs::path(TOILE_SOURCE_DIR) / "samples" / "tshirt.json"));
   }
-  pipeline::Run fit() {
+  pipeline::Run fit(const std::vector<std::string>& more = {}) {
     write_text(folder / "pattern.json", pattern.dump());
-    return run("toile", {"fit", "--body", body, folder / "pattern.json", "-o", folder / "out",
-                         "--edge-length", "35mm"});
+    std::vector<std::string> words = {
+        "fit",          "--body",        body,  folder / "pattern.json", "-o",
+        folder / "out", "--edge-length", "35mm"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run("toile", words);
   }
   Json report(const std::string& name) { return Json::parse(read_text(folder / "out" / name)); }
   Json& panels() { return pattern["pattern"]["panels"]; }
@@ -74,6 +77,12 @@ TEST_F(ToileFit, EveryWarningIsInTheReportAndOnTheEaseMap) {
   for (std::string line; std::getline(lines, line);)
     warned += line.starts_with("warning: ") ? 1 : 0;
   EXPECT_EQ(warned, said["warnings"].size()) << done.err;
+}
+
+TEST_F(ToileFit, WhatIsLetGoIsAtRestAsAWhole) {
+  const pipeline::Run done = fit({"--release", "0.05s"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(report("dressed.json")["quality"], "standard");
 }
 
 TEST_F(ToileFit, RepeatedDrapesGiveTheErrors) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/pattern/samples.h"
 #include "tests/support/run_program.h"
 
 namespace toile {

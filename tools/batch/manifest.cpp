@@ -124,7 +124,7 @@ void read_options(BatchRow& row, const std::string& place) {
   const std::set<std::string> own = {"body",   "garment",  "garment-json", "scene",    "fabric",
                                      "frames", "skeleton", "cache",        "continue", "from"};
   po::options_description dress;
-  add_dress_options(dress);
+  add_dress_options(dress, figures_quality);
   try {
     row.options = po::split_unix(row.options_text);
     const auto parsed = po::command_line_parser(row.options).options(dress).run();
@@ -143,9 +143,10 @@ void read_options(BatchRow& row, const std::string& place) {
     po::store(po::command_line_parser(words).options(dress).run(), given);
     po::notify(given);
     check_dress_options(given);
+    // The usual quality of dress alone is another.
     if (given["quality"].defaulted() && given.count("residual") == 0 &&
-        given["method"].defaulted()) {
-      row.options.insert(row.options.end(), {"--quality", figures_quality.name});
+        given["method"].as<std::string>() == "relaxation") {
+      row.options.insert(row.options.end(), {"--quality", read_quality(given).name});
     }
     read_dress_settings(given, "dressed.obj");
   } catch (const UsageError& wrong) {

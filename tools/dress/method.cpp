@@ -118,6 +118,8 @@ DressOptions until_residual(double residual) {
 }  // namespace
 
 const Quality& read_quality(const po::variables_map& given) {
+  // What is let go has to be at rest as a whole, or it swings.
+  if (given["quality"].defaulted() && given.count("release") != 0) return standard_quality;
   const string name = given["quality"].as<string>();
   for (const Quality& quality : qualities) {
     if (name == quality.name) return quality;

@@ -20,7 +20,8 @@ struct DressMethod {
 /// Until the rest that `quality` stands for, which is one of the presets.
 DressMethod relaxation_of(const Quality& quality);
 
-/// --quality. Throws boost::program_options::error for what is no preset's name.
+/// --quality; where it is not given, the usual one, and with --release the standard. Throws
+/// boost::program_options::error for what is no preset's name.
 const Quality& read_quality(const boost::program_options::variables_map& given);
 
 /// Adds --method, --strain-limit, --shear-limit, --quality, --residual and what belongs to one

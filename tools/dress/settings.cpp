@@ -95,7 +95,7 @@ AskedPlaces read_places(const po::variables_map& given) {
   return places;
 }
 
-void add_dress_options(po::options_description& options) {
+void add_dress_options(po::options_description& options, const Quality& usual) {
   using po::value;
   using std::string;
   options.add_options()("body", value<string>(), "the body, as clean-body writes it")(
@@ -117,7 +117,7 @@ void add_dress_options(po::options_description& options) {
       "cache",
       "keep the body's distances beside it, body.distances for body.ply: later garments on this "
       "body are dressed the same, sooner");
-  add_drape_options(options, standard_quality);
+  add_drape_options(options, usual);
 }
 
 void add_drape_options(po::options_description& options, const Quality& usual) {

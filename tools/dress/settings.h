@@ -53,7 +53,9 @@ struct DressSettings {
   DressMethod method;
 };
 
-void add_dress_options(boost::program_options::options_description& options);
+/// `usual` is the quality of who asks for none.
+void add_dress_options(boost::program_options::options_description& options,
+                       const Quality& usual = standard_quality);
 
 /// Those of them that are of the drape itself, and of no file but fabrics'.
 void add_drape_options(boost::program_options::options_description& options, const Quality& usual);
