@@ -54,6 +54,7 @@ struct SettledGarment {
   Placement placement;            // of the coarsest
   Level level;
   State state;
+  bool was_sewn_through_body = false;
   bool is_clear = false;
   bool is_in_place = false;
   bool friction = false;
@@ -88,6 +89,7 @@ SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, doub
   const PanelMesh& coarsest = settled.meshes.back();
   const int depth = static_cast<int>(settled.meshes.size()) - 1;
   settled.placement = std::move(sewn.placement);
+  settled.was_sewn_through_body = sewn.crosses_body;
   settled.level = compiled_level(coarsest, depth, scene, settled.placement.placed, resting_offset);
   sewn.state = lifted(settled.level, std::move(sewn.state), sewn.is_clear, journal);
   settled.state =
@@ -200,7 +202,8 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   result.body_offset = resting_offset(garment, scene);
 
   SettledGarment settled = put_on(garment, scene, result.body_offset, journal);
-  if (!settled.is_in_place) {
+  // What was sewn tangled or through the body did not slip.
+  if (!settled.is_in_place && settled.is_clear && !settled.was_sewn_through_body) {
     if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
       journal.begin_attempt(journal.attempt() + 1);
       SettledGarment anew = put_on(*held, scene, result.body_offset, journal);

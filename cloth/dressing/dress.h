@@ -14,7 +14,7 @@
 #include "cloth/model/garment_model.h"
 #include "cloth/relaxation/relax.h"
 #include "cloth/relaxation/release.h"
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 
 namespace toile {
 

@@ -5,7 +5,7 @@
 #include "cloth/dressing/dress_options.h"
 #include "cloth/dressing/journal.h"
 #include "cloth/dressing/level.h"
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 
 namespace toile {
 

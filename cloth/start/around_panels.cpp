@@ -71,11 +71,28 @@ PlacementAxis up_axis(const PanelMesh& garment, int panel, bool to_partners) {
 bool may_be_strip(const PanelMesh& garment, int panel) {
   const std::vector<int> panel_of = panel_of_points(garment);
   const int along = is_sewn_along_y(garment, panel) ? 1 : 0;
+  // Where a side that is sewn to others ends: the point, and the direction back along the side.
+  std::vector<std::pair<int, Vec2>> ends;
+  const auto add = [&](const std::vector<int>& side) {
+    const auto from = [&](int end, int next) {
+      ends.emplace_back(end, (garment.flat[next] - garment.flat[end]).normalized());
+    };
+    from(side.front(), side[1]);
+    from(side.back(), side[side.size() - 2]);
+  };
   for (const MeshedSeam& seam : garment.seams) {
-    for (const auto& [mine, other] : {std::pair(&seam.a, &seam.b), std::pair(&seam.b, &seam.a)}) {
-      if (panel_of[(*mine)[1]] != panel || panel_of[(*other)[1]] == panel) continue;
-      const Vec2 run = garment.flat[mine->back()] - garment.flat[mine->front()];
-      if (std::abs(run[1 - along]) > std::abs(run[along])) return false;
+    const bool a_mine = panel_of[seam.a[1]] == panel;
+    if (a_mine == (panel_of[seam.b[1]] == panel)) continue;
+    const std::vector<int>& side = a_mine ? seam.a : seam.b;
+    const Vec2 run = garment.flat[side.back()] - garment.flat[side.front()];
+    if (std::abs(run[1 - along]) > std::abs(run[along])) return false;
+    add(side);
+  }
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (ends[i].first == ends[j].first && ends[i].second.dot(ends[j].second) > strip_corner) {
+        return false;
+      }
     }
   }
   return true;

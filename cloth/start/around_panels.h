@@ -15,7 +15,8 @@ PlacementAxis up_axis(const PanelMesh& garment, int panel, bool to_partners);
 
 /// Whether a panel may be a strip: a collar, a waistband, a skirt of one panel. It is sewn to
 /// others along its length only. A side that is sewn to others across it makes it a part of a
-/// ring, as the halves of a waistband are. Linear.
+/// ring, as the halves of a waistband are. So do sewn sides that turn a corner, as the waist and
+/// the sides of half a circle skirt. Linear in the points, and in the square of the panel's seams.
 bool may_be_strip(const PanelMesh& garment, int panel);
 
 /// How a panel that is rolled into a tube meets what it is sewn to.

@@ -51,16 +51,7 @@ inline constexpr double min_sideways_cosine = 0.5;
 /// Halvings of a `positioning_step`, toward the smallest distance that is clear.
 inline constexpr int clearance_halvings = 6;
 
-// Wide panels of legs (narrow_leg_panels.h).
-
-/// Metres by which a panel of trousers may reach past the plane between the legs. Of 160 random
-/// garments, five have flounces that reach 0.03 to 0.15 m past it. The trousers of a sixth reach
-/// 0.028 m past it; it tangles either way.
-inline constexpr double max_leg_panel_overlap = 0.03;
-
-/// Metres that a panel keeps from that plane once it is drawn together. Of five flounces, one
-/// tangles with 0.01 and 0.02 that does not with this.
-inline constexpr double leg_panel_gap = 0.04;
+// Legs (centre_legs.h).
 
 /// Metres that the seams of a trouser leg keep from the bones once they are moved.
 inline constexpr double leg_seam_clearance = 0.03;
@@ -137,6 +128,9 @@ inline constexpr double min_neck_difference = 0.01;
 /// Of drawn leggings it is 0 for the legs, and 0.84 for a leg and its waistband. So half and double
 /// find the same legs.
 inline constexpr double leg_likeness = 0.2;
+
+/// Cosine between two sewn sides at a point, from which on they turn a corner there: 120 degrees.
+inline constexpr double strip_corner = -0.5;
 
 /// Share of TubeFit from which on a strip goes around. One that covers half of the way around fits
 /// by 0.64, one that covers two thirds by 0.83.
@@ -258,10 +252,7 @@ inline constexpr int max_sleeve_lifts = 30;
 /// Share of the square of a move that counts against it, beside the squares of what seams lack.
 inline constexpr double centring_reluctance = 1e-3;
 
-// Drawing out and lifting (draw_and_lift.h).
-
-/// Metres between a limb's seam points and their partners on the torso, along the limb.
-inline constexpr double limb_gap = 0.01;
+// Lifting (turn_and_lift.h).
 
 /// Metres between the lifts that are tried.
 inline constexpr double lift_step = 0.01;

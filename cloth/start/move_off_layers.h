@@ -1,7 +1,7 @@
 // Where a further layer starts: clear of the layers below, too.
 #pragma once
 
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 #include "geometry/distance_grid.h"
 #include "pattern/panel_mesh.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 #include "geometry/distance_grid.h"
 #include "geometry/types.h"
 #include "pattern/panel_mesh.h"

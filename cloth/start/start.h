@@ -2,15 +2,14 @@
 #pragma once
 
 #include "cloth/scene/scene.h"
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
 
-/// Places the panels on the scene's body, which it must have: position_panels() once and
-/// narrow_leg_panels(), then draw_and_lift(), move_off_layers() where there are layers, and
-/// resolve_intersections(). Panels that had to be moved are drawn out and lifted again from where
-/// they came to stand. `hang` as in draw_and_lift(). Throws what those throw.
+/// Places the panels on the scene's body, which it must have: position_panels(), centre_legs(),
+/// turn_and_lift(), move_off_layers() where there are layers, and resolve_intersections(). `hang`
+/// as in turn_and_lift(). Throws what those throw.
 Placement find_start(const PanelMesh& garment, const Scene& scene, double hang = 0);
 
 }  // namespace toile

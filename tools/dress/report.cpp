@@ -146,9 +146,6 @@ Json start_json(const Placement& placement) {
   for (const auto& [part, angle] : placement.turned) {
     json["turned_degrees"][name_of(part)] = angle * 180 / std::numbers::pi;
   }
-  for (const auto& [part, distance] : placement.drawn_out) {
-    json["drawn_out_mm"][name_of(part)] = 1000 * distance;
-  }
   for (const PositionedPanel& panel : placement.positioned) {
     Json entry = {{"panel", panel.panel}, {"rolled", panel.rolled}, {"bent", panel.bent}};
     entry[panel.rolled ? "radius_mm" : "distance_mm"] = 1000 * panel.distance;

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "cloth/start/constants.h"
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 #include "geometry/body/bones.h"
 #include "tests/cloth/figure.h"
 #include "tests/support/shapes.h"
@@ -423,7 +423,7 @@ TEST(Positioning, LeavesExplicitPanelsAlone) {
   // Positioning twice is positioning once, and the dressing starts from there.
   garment.placed = done.placed;
   EXPECT_EQ(position_panels(garment, far_body(), &skeleton).placed, done.placed);
-  EXPECT_EQ(draw_and_lift(garment, far_body(), &skeleton).placed, done.placed);
+  EXPECT_EQ(turn_and_lift(garment, far_body(), &skeleton).placed, done.placed);
 }
 
 std::string refusal(const PanelMesh& garment, const Skeleton* skeleton) {

@@ -1,4 +1,4 @@
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 
 #include <algorithm>
 
@@ -11,38 +11,6 @@
 namespace toile {
 
 namespace {
-
-struct Limb {
-  BodyPart part;
-  const char* from;
-  const char* to;
-};
-constexpr Limb limb_directions[] = {{BodyPart::left_arm, "left_shoulder", "left_wrist"},
-                                    {BodyPart::right_arm, "right_shoulder", "right_wrist"},
-                                    {BodyPart::left_leg, "left_hip", "left_ankle"},
-                                    {BodyPart::right_leg, "right_hip", "right_ankle"}};
-
-/// Metres that the panels of a limb have to be drawn out along `direction`.
-/// The depth at which upright panels stand does not count. A sleeve's back may be sewn to the
-/// front, and would be drawn far down an arm that reaches forward. A `slanting` panel passes the
-/// torso's at an angle: there depth counts, and the room it brings is needed [measured].
-double draw_out(const PanelMesh& garment, const std::vector<Vec3>& placed,
-                const std::vector<BodyPart>& part_of_point, BodyPart part, const Vec3& direction,
-                bool slanting) {
-  double farthest = 0;
-  for (const MeshedSeam& seam : garment.seams) {
-    for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      int limb = seam.a[i];
-      int torso = seam.b[i];
-      if (part_of_point[limb] != part) std::swap(limb, torso);
-      if (part_of_point[limb] != part || part_of_point[torso] != BodyPart::torso) continue;
-      Vec3 apart = placed[torso] - placed[limb];
-      if (!slanting) apart.z() = 0;
-      farthest = std::max(farthest, apart.dot(direction) + limb_gap);
-    }
-  }
-  return farthest;
-}
 
 /// Per material point, 1 if it is lifted with the garment and 0 if not: a tube around a limb has to
 /// stay there.
@@ -70,7 +38,7 @@ int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body) {
       std::ranges::count_if(points, [&](const Vec3& p) { return body.at(p).distance < 0; }));
 }
 
-Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+Placement turn_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                         const Skeleton* skeleton, double hang, const TriangleMesh* skin) {
   Placement placement;
   placement.placed = garment.placed;
@@ -86,17 +54,6 @@ Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     placement.turned = turn_sleeves(garment, part_of_point, *skeleton, placement.placed);
     if (skin != nullptr) {
       on_arms = centre_sleeves(garment, part_of_point, *skin, *skeleton, placement.placed);
-    }
-    for (const Limb& limb : limb_directions) {
-      if (std::find(parts.begin(), parts.end(), limb.part) == parts.end()) continue;
-      const Vec3 direction = (skeleton->joint(limb.to) - skeleton->joint(limb.from)).normalized();
-      const double distance = draw_out(garment, placement.placed, part_of_point, limb.part,
-                                       direction, placement.turned.contains(limb.part));
-      if (distance <= 0) continue;
-      placement.drawn_out[limb.part] = distance;
-      for (std::size_t p = 0; p < placement.placed.size(); ++p) {
-        if (part_of_point[p] == limb.part) placement.placed[p] += distance * direction;
-      }
     }
   }
   std::vector<double> lifted = lifted_points(garment);

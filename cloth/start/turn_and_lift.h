@@ -1,4 +1,4 @@
-// Draws out and lifts panels, so that a garment starts around the body and clear of it.
+// Turns sleeves and lifts panels, so that a garment starts around the body and clear of it.
 #pragma once
 
 #include <map>
@@ -20,7 +20,6 @@ struct Placement {
   std::vector<PositionedPanel> positioned;  ///< panels that the skeleton positioned
   double lift = 0;                          ///< metres, of all panels together
   std::map<BodyPart, double> turned;        ///< radians, per arm whose sleeve was turned to it
-  std::map<BodyPart, double> drawn_out;     ///< metres along the limb, per part that was
   std::map<std::string, double> moved_off_layers;  ///< metres, per panel moved off a layer
   std::map<std::string, double> moved_clear;       ///< metres, per panel that intersected something
   int points_inside = 0;  ///< material points that are still inside the body
@@ -30,11 +29,10 @@ struct Placement {
 /// The number of `points` that are inside the body.
 int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 
-/// Draws out and lifts panels that stand at `garment.placed`.
+/// Turns and lifts panels that stand at `garment.placed`. `skeleton` null: sleeves stay.
 ///
-/// - Sleeves turn to their arms (align_sleeves.h).
-/// - Panels of arms and legs are drawn out along their bones. They stop where no seam point has to
-///   pass its partner on the torso, behind which it would be caught. `skeleton` null: they stay.
+/// - Sleeves turn to their arms (align_sleeves.h). With `skin`, they move square to the arms, until
+///   these lie between their seams (centre_sleeves.h).
 /// - All panels but those rolled around a limb are lifted together. The points to be sewn then meet
 ///   outside the body. A shoulder seam drawn below the body's shoulder would be pulled through it.
 /// - Of the lifts up to 20 cm, the one wins for which the body obstructs the fewest pairs
@@ -45,7 +43,7 @@ int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 ///   inside the body.
 ///
 /// Linear in the points, times 20 lifts; a seam point costs some queries of `body` each time.
-Placement draw_and_lift(const PanelMesh& garment, const DistanceGrid& body,
+Placement turn_and_lift(const PanelMesh& garment, const DistanceGrid& body,
                         const Skeleton* skeleton, double hang = 0,
                         const TriangleMesh* skin = nullptr);
 

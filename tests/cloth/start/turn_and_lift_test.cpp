@@ -1,4 +1,4 @@
-#include "cloth/start/draw_and_lift.h"
+#include "cloth/start/turn_and_lift.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include "tests/support/shapes.h"
 
 namespace toile {
-namespace draw_and_lift_test {
+namespace turn_and_lift_test {
 
 using test::figure;
 
@@ -31,7 +31,7 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
   // Half-way between the panels the seam is 5 cm deep. 6 cm clear it by the 1 cm that it has to
   // have, and the cloth gets 3 cm more to come down.
   const PanelMesh low = sandwich(0.955);
-  const Placement lifted = draw_and_lift(low, body, nullptr);
+  const Placement lifted = turn_and_lift(low, body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.09, 1e-12);
   EXPECT_EQ(lifted.seams_inside, 0);
   EXPECT_EQ(lifted.points_inside, 0);
@@ -39,7 +39,7 @@ TEST(Placement, SeamsAreLiftedUntilTheyMeetOutsideTheBody) {
     EXPECT_LT((lifted.placed[p] - low.placed[p] - Vec3(0, lifted.lift, 0)).norm(), 1e-15);
   }
   const PanelMesh high = sandwich(1.05);
-  const Placement still = draw_and_lift(high, body, nullptr);
+  const Placement still = turn_and_lift(high, body, nullptr);
   EXPECT_EQ(still.lift, 0);
   EXPECT_EQ(still.placed, high.placed);
 }
@@ -48,7 +48,7 @@ TEST(Placement, SeamsAreLiftedUntilNeitherSideHasToComeThroughTheBody) {
   // The sides meet in front of the body, but the back has to come through it. So it is lifted up to
   // the body's top at 1 m, which is 4.5 cm above the seam.
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.16}, {0.15, 1, -0.04}))};
-  const Placement lifted = draw_and_lift(sandwich(0.955), body, nullptr);
+  const Placement lifted = turn_and_lift(sandwich(0.955), body, nullptr);
   EXPECT_NEAR(lifted.lift, 0.05 + 0.03, 1e-12);
 }
 
@@ -69,7 +69,7 @@ TEST(Placement, SleevesAreNotLiftedOffTheirArms) {
     std::vector<int> behind = lower;
     for (int& p : behind) p += 81;
     garment.seams = {test::seam("under the arm", lower, behind)};
-    return draw_and_lift(garment, body, known).lift;
+    return turn_and_lift(garment, body, known).lift;
   };
   // The seam below the arm would have to come through it, and could be lifted above it.
   EXPECT_EQ(placed_at(1.275, &skeleton), 0);
@@ -82,7 +82,7 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
                                            test::box({-0.2, 1, -0.25}, {0.2, 1.1, -0.15}));
   const DistanceGrid body{SurfaceDistance(test::together(torso, arms))};
   const Skeleton skeleton = figure();
-  const Placement placement = draw_and_lift(sandwich(0.955), body, &skeleton);
+  const Placement placement = turn_and_lift(sandwich(0.955), body, &skeleton);
   EXPECT_EQ(placement.lift, 0);
   EXPECT_EQ(placement.points_inside, 0);
   EXPECT_EQ(placement.seams_inside, 9);
@@ -90,7 +90,7 @@ TEST(Placement, ASkirtIsNotLiftedIntoTheArms) {
 
 TEST(Placement, ASeamThatNoLiftClearsStays) {
   const DistanceGrid body{SurfaceDistance(test::box({-0.15, 0, -0.1}, {0.15, 1, 0.1}))};
-  const Placement placement = draw_and_lift(sandwich(0.5), body, nullptr);
+  const Placement placement = turn_and_lift(sandwich(0.5), body, nullptr);
   EXPECT_EQ(placement.lift, 0);
   EXPECT_EQ(placement.seams_inside, 9);
 }
@@ -100,51 +100,8 @@ TEST(Placement, PointsInsideTheBodyAreCounted) {
   PanelMesh garment = sandwich(1.06);
   for (int p = 0; p < 13 * 9; ++p) garment.placed[p].z() = 0;
   // Rows at 0.76 to 1.06 in steps of 25 mm: ten lie below the top.
-  EXPECT_EQ(draw_and_lift(garment, body, nullptr).points_inside, 9 * 10);
+  EXPECT_EQ(turn_and_lift(garment, body, nullptr).points_inside, 9 * 10);
 }
 
-TEST(Placement, SleevesAreDrawnOutPastTheirArmholes) {
-  const DistanceGrid body{SurfaceDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
-  const Skeleton skeleton = figure();
-  PanelMesh garment;
-  test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
-    return Vec3(p.x() - 0.2, 1.3 + p.y(), 0.15);
-  }).is = classify({"", BodyPart::torso});
-  test::add_panel(garment, "sleeve", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
-    return Vec3(p.x() + 0.17, 1.3 + p.y(), 0.15);
-  }).is = classify({"", BodyPart::left_arm});
-  // The sleeve starts 3 cm nearer to the body than the armhole it is sewn to.
-  garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
-                              test::side(garment.panels[0], 8, 4, true))};
-  const Placement placement = draw_and_lift(garment, body, &skeleton);
-  ASSERT_EQ(placement.drawn_out.size(), 1U);
-  EXPECT_NEAR(placement.drawn_out.at(BodyPart::left_arm), 0.03 + 0.01, 1e-12);
-  for (int p = 0; p < 45; ++p) {
-    EXPECT_EQ(placement.placed[p], garment.placed[p]);
-    EXPECT_LT((placement.placed[45 + p] - garment.placed[45 + p] - Vec3(0.04, 0, 0)).norm(), 1e-12);
-  }
-}
-
-TEST(Placement, HowFarBehindItsArmholeASleeveStandsDrawsItOutNoFarther) {
-  const DistanceGrid body{SurfaceDistance(test::box({-0.1, 0, -0.1}, {0.1, 1.5, 0.1}))};
-  Skeleton forward = figure();
-  forward.joints["left_elbow"] = {0.35, 1.3, 0.2};
-  forward.joints["left_wrist"] = {0.55, 1.3, 0.4};
-  const auto drawn_out = [&](double z) {
-    PanelMesh garment;
-    test::add_panel(garment, "front", test::grid(0.4, 0.2, 8, 4), [](const Vec2& p) {
-      return Vec3(p.x() - 0.2, 1.3 + p.y(), 0.15);
-    }).is = classify({"", BodyPart::torso});
-    test::add_panel(garment, "sleeve", test::grid(0.4, 0.2, 8, 4), [&](const Vec2& p) {
-      return Vec3(p.x() + 0.17, 1.3 + p.y(), z);
-    }).is = classify({"", BodyPart::left_arm});
-    garment.seams = {test::seam("armhole", test::side(garment.panels[1], 8, 4, false),
-                                test::side(garment.panels[0], 8, 4, true))};
-    return draw_and_lift(garment, body, &forward).drawn_out.at(BodyPart::left_arm);
-  };
-  EXPECT_NEAR(drawn_out(-0.15), drawn_out(0.15), 1e-12);
-  EXPECT_LT(drawn_out(-0.15), 0.04);
-}
-
-}  // namespace draw_and_lift_test
+}  // namespace turn_and_lift_test
 }  // namespace toile
