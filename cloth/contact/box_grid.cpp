@@ -26,7 +26,7 @@ constexpr double rounding = 4e-6;
 
 }  // namespace
 
-BoxGrid::BoxGrid(const std::vector<Shape>& shapes, double reach) {
+BoxGrid::BoxGrid(const std::vector<Shape>& shapes, double reach) : reach_(reach) {
   low_ = Vec3::Constant(std::numeric_limits<double>::max());
   Vec3 high = -low_;
   double sum = 0;
@@ -80,20 +80,20 @@ BoxGrid::BoxGrid(const std::vector<Shape>& shapes, double reach) {
   }
 }
 
-BoxGrid::FloatBox BoxGrid::widened(const Box& box, double reach) {
+BoxGrid::FloatBox BoxGrid::widened(const Box& box) const {
   FloatBox result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.low[axis] = static_cast<float>(box.low[axis] - reach);
-    result.high[axis] = static_cast<float>(box.high[axis] + reach);
+    result.low[axis] = static_cast<float>(box.low[axis] - reach_);
+    result.high[axis] = static_cast<float>(box.high[axis] + reach_);
   }
   return result;
 }
 
-BoxGrid::FloatBox BoxGrid::widened(std::size_t item, double reach) const {
+BoxGrid::FloatBox BoxGrid::widened(std::size_t item) const {
   FloatBox result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.low[axis] = static_cast<float>(lows_[axis][item] - reach);
-    result.high[axis] = static_cast<float>(highs_[axis][item] + reach);
+    result.low[axis] = static_cast<float>(lows_[axis][item] - reach_);
+    result.high[axis] = static_cast<float>(highs_[axis][item] + reach_);
   }
   return result;
 }

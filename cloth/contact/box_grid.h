@@ -28,15 +28,14 @@ class BoxGrid {
   /// Memory for one query at a time, to be used again for the next ones.
   using Scratch = std::vector<int>;
 
-  /// Files `shapes` for queries within some `reach` metres of a box, in cells that suit it. O(n).
+  /// Files `shapes` for queries within `reach` metres of a box. O(n).
   BoxGrid(const std::vector<Shape>& shapes, double reach);
 
-  /// Calls `visit` with the index of each shape whose box is less than `reach` metres away from
-  /// `box` along each axis. Some may be a few micrometres farther. The order depends on the shapes
-  /// only.
+  /// Calls `visit` with the index of each shape whose box is less than the reach away from `box`
+  /// along each axis. Some may be a few micrometres farther. The order depends on the shapes only.
   template <typename Visit>
-  void near(const Box& box, double reach, Scratch& scratch, const Visit& visit) const {
-    const std::size_t count = meeting(0, 0, widened(box, reach), scratch);
+  void near(const Box& box, Scratch& scratch, const Visit& visit) const {
+    const std::size_t count = meeting(0, 0, widened(box), scratch);
     for (std::size_t i = 0; i < count; ++i) visit(numbers_[scratch[i]]);
   }
 
@@ -46,8 +45,8 @@ class BoxGrid {
   /// Calls `visit` with the indices, the lower first, of two shapes whose boxes are near, as near()
   /// does, for each such pair of a part. Over all parts in [0, parts()), each pair comes once.
   template <typename Visit>
-  void pairs(std::size_t part, double reach, Scratch& scratch, const Visit& visit) const {
-    const std::size_t count = meeting(part + 1, rows_[part], widened(part, reach), scratch);
+  void pairs(std::size_t part, Scratch& scratch, const Visit& visit) const {
+    const std::size_t count = meeting(part + 1, rows_[part], widened(part), scratch);
     const int one = numbers_[part];
     for (std::size_t i = 0; i < count; ++i) {
       const int other = numbers_[scratch[i]];
@@ -62,8 +61,8 @@ class BoxGrid {
     std::array<float, 3> high;
   };
 
-  static FloatBox widened(const Box& box, double reach);
-  FloatBox widened(std::size_t item, double reach) const;
+  FloatBox widened(const Box& box) const;
+  FloatBox widened(std::size_t item) const;
   /// Finds the items, of those from index `start` on, whose boxes meet `box`: their indices come
   /// first in `found`. None of them is in a row of cells before `first_row`. Returns their number.
   std::size_t meeting(std::size_t start, int first_row, const FloatBox& box, Scratch& found) const;
@@ -73,6 +72,7 @@ class BoxGrid {
   /// The number of a row of cells along x. Its first cell is that times size_[0].
   int row(int y, int z) const { return z * size_[1] + y; }
 
+  double reach_;
   double margin_;        // metres around each box, for rounding
   double filed_radius_;  // metres: the largest radius of a shape in a cell
   double cell_;

@@ -90,10 +90,6 @@ inline constexpr double neighbour_gap_share = 0.25;
 /// before the next search.
 inline constexpr double neighbour_force_range = 3;
 
-/// Share of the searched radius. Once a vertex has moved so far, the grids that find its neighbours
-/// are made anew.
-inline constexpr double kept_grid_slack = 0.5;
-
 // Edges that pass through faces (edge_face_intersections.h).
 
 /// Sine of the angle between an edge and the face that it passes through, at least. A flatter edge

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/contact/box_grid.h"
 #include "cloth/contact/constants.h"
 #include "geometry/closest_points.h"
 #include "geometry/half_edges.h"
@@ -27,13 +28,11 @@ constexpr double freeing_distance = 1e-15;
 /// the threads.
 constexpr std::size_t chunk = 128;
 
-BoxGrid::Box box_of(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
-  return {x[edge[0]].cwiseMin(x[edge[1]]), x[edge[0]].cwiseMax(x[edge[1]])};
-}
-
 BoxGrid::Shape shape_of(const std::array<int, 2>& edge, const std::vector<Vec3>& x) {
-  const Vec3 centre = 0.5 * (x[edge[0]] + x[edge[1]]);
-  return {centre, (x[edge[0]] - centre).norm(), box_of(edge, x)};
+  const Vec3& a = x[edge[0]];
+  const Vec3& b = x[edge[1]];
+  const Vec3 centre = 0.5 * (a + b);
+  return {centre, (a - centre).norm(), {a.cwiseMin(b), a.cwiseMax(b)}};
 }
 
 BoxGrid::Box box_of(const Triangle& t, const std::vector<Vec3>& x) {
@@ -254,40 +253,37 @@ void ProximitySearch::two_edges(int e, int f, const Query& query, NearPairs& fou
   consider({{a[0], a[1], b[0], b[1]}, true, 0}, query, found);
 }
 
-ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query& query) {
-  if (!triangle_grid_) triangle_grid_.emplace(shapes_of(triangles_, query.x), query.radius);
+ProximitySearch::NearPairs ProximitySearch::triangles_near_vertices(const Query& query) const {
+  const BoxGrid grid(shapes_of(triangles_, query.x), query.radius);
   return search_in_chunks<NearPairs>(
       query.x.size(), [&](std::size_t v, BoxGrid::Scratch& scratch, NearPairs& found) {
         if (!query.wants(v)) return;
-        triangle_grid_->near({query.x[v], query.x[v]}, query.reach(), scratch, [&](int t) {
-          point_and_triangle(static_cast<int>(v), t, query, found);
-        });
+        grid.near({query.x[v], query.x[v]}, scratch,
+                  [&](int t) { point_and_triangle(static_cast<int>(v), t, query, found); });
       });
 }
 
-ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Query& query) {
-  if (!vertex_grid_) {
-    std::vector<BoxGrid::Shape> points;
-    points.reserve(query.x.size());
-    for (const Vec3& p : query.x) points.push_back({p, 0, {p, p}});
-    vertex_grid_.emplace(points, query.radius);
-  }
+ProximitySearch::NearPairs ProximitySearch::others_near_wanted_triangles(const Query& query) const {
+  std::vector<BoxGrid::Shape> points;
+  points.reserve(query.x.size());
+  for (const Vec3& p : query.x) points.push_back({p, 0, {p, p}});
+  const BoxGrid grid(points, query.radius);
   return search_in_chunks<NearPairs>(
       triangles_.size(), [&](std::size_t t, BoxGrid::Scratch& scratch, NearPairs& found) {
         if (!any_of(query.wanted, triangles_[t])) return;
-        vertex_grid_->near(box_of(triangles_[t], query.x), query.reach(), scratch, [&](int v) {
+        grid.near(box_of(triangles_[t], query.x), scratch, [&](int v) {
           if (!query.wants(v)) point_and_triangle(v, static_cast<int>(t), query, found);
         });
       });
 }
 
-ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query) {
-  if (!edge_grid_) edge_grid_.emplace(shapes_of(edges_, query.x), query.radius);
+ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query) const {
+  const std::vector<BoxGrid::Shape> edges = shapes_of(edges_, query.x);
+  const BoxGrid grid(edges, query.radius);
   if (query.wanted.empty()) {
     return search_in_chunks<NearPairs>(
-        edge_grid_->parts(), [&](std::size_t part, BoxGrid::Scratch& scratch, NearPairs& found) {
-          edge_grid_->pairs(part, query.reach(), scratch,
-                            [&](int e, int f) { two_edges(e, f, query, found); });
+        grid.parts(), [&](std::size_t part, BoxGrid::Scratch& scratch, NearPairs& found) {
+          grid.pairs(part, scratch, [&](int e, int f) { two_edges(e, f, query, found); });
         });
   }
   std::vector<char> wanted(edges_.size());
@@ -296,29 +292,14 @@ ProximitySearch::NearPairs ProximitySearch::edges_near_edges(const Query& query)
       edges_.size(), [&](std::size_t i, BoxGrid::Scratch& scratch, NearPairs& found) {
         const int e = static_cast<int>(i);
         if (wanted[e] == 0) return;
-        edge_grid_->near(box_of(edges_[e], query.x), query.reach(), scratch, [&](int f) {
+        grid.near(edges[e].box, scratch, [&](int f) {
           if (f == e || (f < e && wanted[f] != 0)) return;
           two_edges(std::min(e, f), std::max(e, f), query, found);
         });
       });
 }
 
-/// Without `wanted`, all vertices are.
-ProximitySearch::NearPairs ProximitySearch::near_pairs(const std::vector<Vec3>& x, double radius,
-                                                       const std::vector<char>& wanted) {
-  double drift = 0;
-  for (std::size_t v = 0; v < filed_at_.size(); ++v) {
-    drift = std::max(drift, (x[v] - filed_at_[v]).squaredNorm());
-  }
-  drift = std::sqrt(drift);
-  if (wanted.empty() || filed_at_.empty() || !(drift <= kept_grid_slack * radius)) {
-    filed_at_ = x;
-    drift = 0;
-    triangle_grid_.reset();
-    vertex_grid_.reset();
-    edge_grid_.reset();
-  }
-  const Query query{x, radius, wanted, drift};
+ProximitySearch::NearPairs ProximitySearch::near_pairs(const Query& query) const {
   NearPairs all;
   NearPairs of_others;
   NearPairs of_edges;
@@ -334,10 +315,10 @@ ProximitySearch::NearPairs ProximitySearch::near_pairs(const std::vector<Vec3>& 
 
 void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap,
                            std::vector<ContactPair>& pairs, std::vector<double>& bound,
-                           bool skip_neighbours) {
+                           bool skip_neighbours) const {
   pairs.clear();
   bound.assign(x.size(), proximity_bound_share * radius);
-  for (NearPair& found : near_pairs(x, radius, {})) {
+  for (NearPair& found : near_pairs({x, radius, {}})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     for (const int v : found.pair.vertices) {
       bound[v] = std::min(bound[v], bound_of(found.distance));
@@ -349,7 +330,7 @@ void ProximitySearch::find(const std::vector<Vec3>& x, double radius, double gap
 
 void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double gap,
                              std::vector<ContactPair>& pairs, std::vector<double>& bound,
-                             std::vector<Vec3>& at, bool skip_neighbours) {
+                             std::vector<Vec3>& at, bool skip_neighbours) const {
   std::vector<char> moved(x.size(), 0);
   std::size_t count = 0;
   for (int v = 0; v < moving_vertices_; ++v) {
@@ -372,7 +353,7 @@ void ProximitySearch::update(const std::vector<Vec3>& x, double radius, double g
   constexpr double search_slack = 1.02;
   const double search_radius =
       proximity_bound_share * 2 * (1 + stale_bound_share) * search_slack * radius;
-  for (NearPair& found : near_pairs(x, search_radius, moved)) {
+  for (NearPair& found : near_pairs({x, search_radius, moved})) {
     if (skip_neighbours && !of_layer(found.pair) && neighbours(found.pair)) continue;
     const double limit = bound_of(found.distance);
     // How far each side may still go, by its vertex that may go farthest.

@@ -4,11 +4,9 @@
 
 #include <array>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "cloth/contact/box_grid.h"
 #include "geometry/adjacency.h"
 #include "geometry/types.h"
 
@@ -93,16 +91,15 @@ class ProximitySearch {
   ///
   /// About O(n) while few things are near each other.
   void find(const std::vector<Vec3>& x, double radius, double gap, std::vector<ContactPair>& pairs,
-            std::vector<double>& bound, bool skip_neighbours);
+            std::vector<double>& bound, bool skip_neighbours) const;
 
   /// Does the same as find(), but searches only around vertices that have used up much of their
   /// bound, often a handful. The other bounds stay. `at` holds the position (metres) from which the
   /// bound of each vertex counts. It is the `x` of a find(), or the result of an update(). The cost
-  /// is O(n) comparisons, and a search around the moved vertices. Its grids are kept from search to
-  /// search until a vertex has moved by kept_grid_slack of the radius.
+  /// is that of the grids, O(n), and of a search around the moved vertices.
   void update(const std::vector<Vec3>& x, double radius, double gap,
               std::vector<ContactPair>& pairs, std::vector<double>& bound, std::vector<Vec3>& at,
-              bool skip_neighbours);
+              bool skip_neighbours) const;
 
  private:
   struct NearPair {
@@ -117,17 +114,15 @@ class ProximitySearch {
     const std::vector<Vec3>& x;
     double radius;
     const std::vector<char>& wanted;
-    double drift;  ///< metres: the most that a vertex has moved since the grids were made
-    double reach() const { return radius + drift; }
     bool wants(std::size_t v) const { return wanted.empty() || wanted[v] != 0; }
   };
   void consider(const ContactPair& pair, const Query& query, NearPairs& found) const;
   void point_and_triangle(int v, int t, const Query& query, NearPairs& found) const;
   void two_edges(int e, int f, const Query& query, NearPairs& found) const;
-  NearPairs triangles_near_vertices(const Query& query);
-  NearPairs others_near_wanted_triangles(const Query& query);
-  NearPairs edges_near_edges(const Query& query);
-  NearPairs near_pairs(const std::vector<Vec3>& x, double radius, const std::vector<char>& wanted);
+  NearPairs triangles_near_vertices(const Query& query) const;
+  NearPairs others_near_wanted_triangles(const Query& query) const;
+  NearPairs edges_near_edges(const Query& query) const;
+  NearPairs near_pairs(const Query& query) const;
   /// Metres that a pair keeps; negative where it needs no force before the next search.
   double gap_to_keep(const NearPair& found, double gap) const;
   bool of_layer(int vertex) const { return vertex >= moving_vertices_; }
@@ -149,11 +144,6 @@ class ProximitySearch {
   std::vector<double> shortest_edge_;
   int nodes_ = 0;
   Adjacency<int> neighbours_;  // per node, the nodes it shares an edge with, sorted; none of layers
-  // Grids of where the vertices were, for searches around a few of them. Each is made when asked.
-  std::vector<Vec3> filed_at_;  // metres
-  std::optional<BoxGrid> triangle_grid_;
-  std::optional<BoxGrid> vertex_grid_;
-  std::optional<BoxGrid> edge_grid_;
 };
 
 }  // namespace toile

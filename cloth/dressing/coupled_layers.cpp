@@ -162,7 +162,7 @@ class CoupledRelaxation {
   void measure_pressings(const std::vector<Vec3>& x) {
     std::vector<int> nodes(x.size());
     std::iota(nodes.begin(), nodes.end(), 0);
-    ProximitySearch search(model_.node_triangles, nodes, model_.shortest_edge);
+    const ProximitySearch search(model_.node_triangles, nodes, model_.shortest_edge);
     std::vector<ContactPair> pairs;
     std::vector<double> bound;
     search.find(x, touching_gaps * model_.self_gap, model_.self_gap, pairs, bound, false);

@@ -119,7 +119,7 @@ class OwnForces {
     if (!model_.scene.self_contact) return;
     std::vector<int> node(nodes_.size());
     std::iota(node.begin(), node.end(), 0);
-    ProximitySearch search(model_.node_triangles, node, model_.shortest_edge);
+    const ProximitySearch search(model_.node_triangles, node, model_.shortest_edge);
     std::vector<ContactPair> pairs;
     std::vector<double> bound;
     search.find(nodes_, model_.self_gap, model_.self_gap, pairs, bound, false);
