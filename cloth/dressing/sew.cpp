@@ -120,6 +120,13 @@ bool crosses_body(const Level& level, const State& state) {
               .empty();
 }
 
+/// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
+bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
+  State state;
+  state.nodes = lowered(raise, nodes);
+  return crosses_body(level, state);
+}
+
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
 Staged close_and_untangle(const Level& level, const Closing& closing, Journal& journal) {
   State state;
@@ -162,6 +169,10 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
     const Level large = enlarged(sewn.level, closing.size);
     Staged staged = close_and_untangle(large, closing, journal);
+    // A tangle that falls only gets worse.
+    if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
+      staged = settle(large, std::move(staged.state), true, true, journal);
+    }
     journal.show_through({});
     if (raise) {
       staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
