@@ -75,6 +75,26 @@ TEST(AroundPanels, WhatIsSewnAcrossIsNoStrip) {
   EXPECT_TRUE(may_be_strip(garment, 2));
 }
 
+// Half a circle skirt: its sides, too, run along the length of the panel.
+TEST(AroundPanels, WhereSewnSidesTurnACornerIsNoStrip) {
+  PanelMesh garment;
+  for (int half = 0; half < 2; ++half) {
+    add_panel(garment, half == 0 ? "front" : "back", grid(1, 0.5, 8, 2), at_origin);
+    for (int p = 27 * half; p < 27 * (half + 1); ++p) {
+      // From the waist, at y = 0.5, down to the hem; the sides run level.
+      const double angle = std::numbers::pi * (garment.flat[p].x() - 1);
+      const double radius = 0.65 - garment.flat[p].y();
+      garment.flat[p] = {radius * std::cos(angle), radius * std::sin(angle)};
+    }
+  }
+  add_panel(garment, "waistband", grid(0.9, 0.05, 8, 1), at_origin);
+  garment.seams = {test::seam("waist", {18, 19, 20, 21, 22, 23, 24, 25, 26},
+                              {54, 55, 56, 57, 58, 59, 60, 61, 62})};
+  EXPECT_TRUE(may_be_strip(garment, 0));
+  garment.seams.push_back(test::seam("side", {8, 17, 26}, {27, 36, 45}));
+  EXPECT_FALSE(may_be_strip(garment, 0));
+}
+
 TEST(AroundPanels, TheTubeFitTellsHowFarAroundAStripIsSewn) {
   const PanelMesh garment = strips();
   // The partner's points go around from a half turn behind the middle on.
