@@ -93,6 +93,9 @@ class DxfWriter {
     section("HEADER");
     code(9, "$ACADVER");
     code(1, "AC1009");
+    // Millimetres: the text "METRIC" of a small garment may be taken for centimetres.
+    code(9, "$INSUNITS");
+    code(70, "4");
     code(9, "$EXTMIN");
     point({0, 0});
     code(9, "$EXTMAX");

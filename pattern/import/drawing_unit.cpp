@@ -14,8 +14,9 @@ constexpr double min_piece_length = 0.02;  ///< metres
 constexpr double max_piece_length = 5;     ///< metres
 constexpr double max_asked_length = 100;
 /// Metres: the largest piece of a garment is in between. In 24 of 26 drawings it is 21 to 112 cm
-/// long; one is a test square, one states the wrong unit. Half of the least takes the square,
-/// double of it questions three small ones. Half or double of the most changes nothing.
+/// long; one is a test square, one says "metric" of centimetres. With half of the least neither is
+/// questioned; double of it questions three small ones, whose units stay. Half or double of the
+/// most changes nothing.
 constexpr double usual_least = 0.15;
 constexpr double usual_most = 4;
 constexpr const char* unit_remedy = "say the unit: --unit mm, cm or inch";
@@ -39,24 +40,39 @@ double unit_of_size(double largest, bool english) {
   return 0;
 }
 
-/// Warns of a stated unit that makes no garment, or that another statement contradicts.
-void question_unit(const UnitEvidence& evidence, const std::string& source,
-                   std::vector<Remark>& remarks) {
-  const double size = evidence.largest * *evidence.stated;
-  const bool contradicted = evidence.other && *evidence.other != *evidence.stated;
-  const bool usual = size >= usual_least && size <= usual_most;
-  if (usual && !contradicted) return;
-  std::string text = source + ": the largest piece is " + centimetres(size, 1) + " long in " +
-                     unit_name(*evidence.stated) + ", by " + evidence.stated_by;
+bool makes_garment(double size) { return size >= usual_least && size <= usual_most; }
+
+/// The stated unit, or what else the file allows where that makes no garment. Warns of one that
+/// makes none, or that another statement contradicts.
+double unit_as_stated(const UnitEvidence& evidence, const std::string& source,
+                      std::vector<Remark>& remarks) {
+  const double stated = *evidence.stated;
+  const bool contradicted = evidence.other && *evidence.other != stated;
+  const auto makes_one = [&](double unit) { return makes_garment(evidence.largest * unit); };
+  if (makes_one(stated) && !contradicted) return stated;
+  std::optional<double> instead = evidence.metric ? std::optional(1e-2) : std::nullopt;
+  if (evidence.other && !(evidence.metric && evidence.other == metres_in_inch)) {
+    instead = evidence.other;
+  }
+  const double unit = !makes_one(stated) && instead && makes_one(*instead) ? *instead : stated;
+  std::string text = source + ": the largest piece is " +
+                     centimetres(evidence.largest * stated, 1) + " long in " + unit_name(stated) +
+                     ", by " + evidence.stated_by;
   if (contradicted) text += ", though " + evidence.other_by + " says " + unit_name(*evidence.other);
   std::string fitting;
-  for (const auto& [unit, word] : {std::pair(1e-3, "mm"), {1e-2, "cm"}, {metres_in_inch, "inch"}}) {
-    const double other = evidence.largest * unit;
-    if (unit == *evidence.stated || other < usual_least || other > usual_most) continue;
-    fitting += (fitting.empty() ? "" : ", ") + centimetres(other, 1) + " with --unit " + word;
+  for (const auto& [other, word] :
+       {std::pair(1e-3, "mm"), {1e-2, "cm"}, {metres_in_inch, "inch"}}) {
+    if (other == stated || other == unit || !makes_one(other)) continue;
+    fitting += (fitting.empty() ? "" : ", ") + centimetres(evidence.largest * other, 1) +
+               " with --unit " + word;
+  }
+  if (unit != stated) {
+    text += "; " + unit_name(unit) + " are taken, which makes it " +
+            centimetres(evidence.largest * unit, 1);
   }
   text += fitting.empty() ? "; --unit settles it" : "; it would be " + fitting;
   remarks.push_back({true, text});
+  return unit;
 }
 
 }  // namespace
@@ -75,15 +91,15 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
     return *evidence.asked;
   }
   if (evidence.stated) {
-    const double size = largest * *evidence.stated;
+    const double unit = unit_as_stated(evidence, source, remarks);
+    const double size = largest * unit;
     if (size < min_piece_length || size > max_piece_length) {
       throw Error(source,
                   "the largest piece would be " + centimetres(size, 1) + " long in " +
-                      unit_name(*evidence.stated) + ", by " + evidence.stated_by,
+                      unit_name(unit) + ", by " + evidence.stated_by,
                   unit_remedy);
     }
-    question_unit(evidence, source, remarks);
-    return *evidence.stated;
+    return unit;
   }
   const double unit = unit_of_size(largest, evidence.english);
   if (unit == 0) {
@@ -100,8 +116,15 @@ double drawing_unit(const UnitEvidence& evidence, const std::string& source,
 }
 
 std::string unit_with_source(const UnitEvidence& evidence, double unit) {
-  const std::string stated = evidence.stated ? evidence.stated_by : "the size of the largest piece";
-  return unit_name(unit) + ", by " + (evidence.asked ? "--unit" : stated);
+  std::string by = evidence.stated_by;
+  if (evidence.asked) {
+    by = "--unit";
+  } else if (evidence.stated && unit != *evidence.stated && unit == evidence.other) {
+    by = evidence.other_by;
+  } else if (unit != evidence.stated) {
+    by = "the size of the largest piece";
+  }
+  return unit_name(unit) + ", by " + by;
 }
 
 }  // namespace toile

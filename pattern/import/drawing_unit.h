@@ -16,6 +16,7 @@ struct UnitEvidence {
   std::string stated_by;         ///< what states it, for messages
   std::optional<double> other;   ///< metres: what another part of the file states
   std::string other_by;
+  bool metric = false;   ///< the statement is "metric" alone, which may mean centimetres, too
   bool english = false;  ///< the file says that it is not metric
   double largest = 0;    ///< units: the longer side of the largest piece's box
 };
@@ -23,8 +24,10 @@ struct UnitEvidence {
 /// Metres in a unit of the drawing. The user's word counts first, the file's next. Without either
 /// the size of the largest piece tells it, with a remark: a garment's is some 20 cm to 2 m long.
 ///
-/// A stated unit is questioned where the largest piece is shorter than 15 cm or longer than 4 m. So
-/// is one where the file states another, too. A warning names the units that would fit.
+/// A stated unit makes no garment where the largest piece is shorter than 15 cm or longer than 4 m.
+/// Then the file's other statement is taken, if that makes one. Of "metric" without another
+/// statement centimetres are. A warning tells that, names the other units that would fit, and tells
+/// of statements that contradict each other.
 ///
 /// Throws Error when the largest piece would be shorter than 2 cm or longer than 5 m, and when its
 /// size fits no unit. The user's word is not doubted below 100 m.

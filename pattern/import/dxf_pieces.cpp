@@ -363,6 +363,7 @@ PieceDrawing dxf_pieces(const DxfDrawing& drawing, const std::string& source,
     evidence.stated = 1e-2;
   } else if (says("metric") || says("millim") || units == "mm") {
     evidence.stated = 1e-3;
+    evidence.metric = says("metric") && !says("millim") && !says("mm");
   }
   if (evidence.stated) {
     evidence.stated_by = "'Units: " + shown_text(units) + "'";

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <set>
 
 #include "tests/support/worn_sample.h"
 
@@ -52,11 +53,25 @@ class ReportSchema : public WornSample {
     for (const std::string& key : keys) EXPECT_TRUE(report.contains(Pointer(key))) << key;
   }
 
-  /// That each of these is found: a key more in any object, another type of any value.
+  /// That each of these is found: a key more in any object, another type of any value. What another
+  /// report of the suite had is not tried again.
   void expect_faults_found(const std::string& definition, const std::string& file) const {
     const Json report = read(file);
     std::vector<Pointer> objects, values;
     collect(report, Pointer(), objects, values);
+    // An object of other keys is another one.
+    const auto was_tried = [&](const Pointer& at) {
+      std::string form = definition + at.to_string();
+      const Json& value = report[at];
+      if (value.is_object()) {
+        for (const auto& [key, part] : value.items()) form += " " + key;
+      } else {
+        form += std::string(" ") + value.type_name();
+      }
+      return !tried.insert(form).second;
+    };
+    std::erase_if(objects, was_tried);
+    std::erase_if(values, was_tried);
     std::vector<fs::path> faulty;
     std::vector<std::string> faults;
     const auto add = [&](const Json& wrong, const std::string& fault) {
@@ -74,6 +89,7 @@ class ReportSchema : public WornSample {
       wrong[value] = Json::object();
       add(wrong, "an object for " + value.to_string());
     }
+    if (faulty.empty()) return;
     const pipeline::Run done = validate(definition, faulty);
     EXPECT_EQ(done.exit_code, 1) << done.err;
     for (std::size_t i = 0; i < faulty.size(); ++i) {
@@ -112,6 +128,7 @@ class ReportSchema : public WornSample {
   }
 
   static ScratchFolder* shared;
+  static inline std::set<std::string> tried;
 };
 
 ScratchFolder* ReportSchema::shared = nullptr;

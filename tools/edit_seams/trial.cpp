@@ -109,7 +109,7 @@ std::string Trial::drape(const Background::Say& say) {
   warnings.insert(warnings.end(), of_meshing.begin(), of_meshing.end());
   say("Dressing …");
   run({"dress", "--body", body.string(), garment.string(), "-o", dressed.string(), "--report",
-       (folder_ / "dressed.json").string(), "--cache"});
+       (folder_ / "dressed.json").string(), "--quality", "figures", "--cache"});
   std::string made = drape_json(garment, dressed, folder_ / "dressed.json", body, warnings);
   say("Dressed.");
   return made;

@@ -388,7 +388,7 @@
       const now = JSON.parse(await ask('GET', what + '/progress'));
       if (now.text) say(now.text);
       if (now.state === 'done' || now.state === 'failed') return now.state === 'done';
-      await new Promise(done => setTimeout(done, 200));
+      await new Promise(done => setTimeout(done, 50));
     }
   }
   async function propose() {

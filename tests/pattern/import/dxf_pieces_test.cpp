@@ -210,18 +210,41 @@ TEST(DxfPieces, TheUnitIsTheUsersTheFilesOrTold) {
 }
 
 TEST(DxfPieces, AUnitThatMakesNoGarmentIsQuestioned) {
-  const auto remarks = [&](double height, const std::string& units, const std::string& header) {
-    const std::string piece = dxf_polyline("1", rectangle(0, 0, height / 2, height));
-    return all_remarks(
-        pieces_of(dxf_file(dxf_block("P", piece), dxf_label("Units: " + units), header)));
+  struct Read {
+    double height;  // metres
+    std::string unit;
+    std::string remarks;
   };
-  const std::string small = remarks(60, "METRIC", "");
-  EXPECT_HOLDS(small, "the largest piece is 6.0 cm long in millimetres, by 'Units: metric'");
-  EXPECT_HOLDS(small, "it would be 60.0 cm with --unit cm");
-  EXPECT_HOLDS(remarks(4500, "METRIC", ""), "the largest piece is 450.0 cm long in millimetres");
-  const std::string both = remarks(600, "METRIC", "9\n$INSUNITS\n70\n5\n");
-  EXPECT_HOLDS(both, "by 'Units: metric', though $INSUNITS says centimetres");
-  EXPECT_EQ(remarks(600, "METRIC", "9\n$INSUNITS\n70\n4\n"), "");
+  const auto read = [&](double height, const std::string& units, int insunits = 0) {
+    const std::string piece = dxf_polyline("1", rectangle(0, 0, height / 2, height));
+    const std::string header = "9\n$INSUNITS\n70\n" + std::to_string(insunits) + "\n";
+    const PieceDrawing drawing = pieces_of(
+        dxf_file(dxf_block("P", piece), dxf_label("Units: " + units), insunits > 0 ? header : ""));
+    return Read{std::sqrt(2 * area(drawing.pieces.at(0))), drawing.unit, all_remarks(drawing)};
+  };
+  constexpr int inches = 1;
+  constexpr int millimetres = 4;
+  constexpr int centimetres = 5;
+  const Read small = read(60, "METRIC");
+  EXPECT_NEAR(small.height, 0.6, 1e-9);
+  EXPECT_EQ(small.unit, "centimetres, by the size of the largest piece");
+  EXPECT_HOLDS(small.remarks,
+               "the largest piece is 6.0 cm long in millimetres, by 'Units: metric'; centimetres "
+               "are taken, which makes it 60.0 cm; it would be 152.4 cm with --unit inch");
+  EXPECT_NEAR(read(60, "METRIC", centimetres).height, 0.6, 1e-9);
+  EXPECT_NEAR(read(60, "METRIC", inches).height, 0.6, 1e-9);
+  EXPECT_EQ(read(60, "MM", centimetres).unit, "centimetres, by $INSUNITS");
+  // Two statements of millimetres, and one that is no other unit.
+  for (const Read& stays :
+       {read(60, "METRIC", millimetres), read(60, "MM"), read(60, "METRIC (mm)")}) {
+    EXPECT_NEAR(stays.height, 0.06, 1e-9);
+    EXPECT_HOLDS(stays.remarks, "it would be 60.0 cm with --unit cm");
+  }
+  EXPECT_HOLDS(read(4500, "METRIC").remarks, "the largest piece is 450.0 cm long in millimetres");
+  const Read both = read(600, "METRIC", centimetres);
+  EXPECT_NEAR(both.height, 0.6, 1e-9);
+  EXPECT_HOLDS(both.remarks, "by 'Units: metric', though $INSUNITS says centimetres");
+  EXPECT_EQ(read(600, "METRIC", millimetres).remarks, "");
 }
 
 TEST(DxfPieces, OpenSewLinesAreClosedAlongTheBoundary) {
