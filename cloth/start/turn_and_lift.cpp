@@ -72,7 +72,8 @@ Placement turn_and_lift(const PanelMesh& garment, const DistanceGrid& body,
   // armpits.
   const bool may_meet_arms = skeleton == nullptr || hangs || has_sleeves;
   const int inside_unlifted = lifted_inside(0);
-  int fewest = paths.obstructed(0);
+  const int unlifted = paths.obstructed(0);
+  int fewest = unlifted;
   for (int step = 1; step <= max_lift_steps && fewest > paths.at_arms(); ++step) {
     const double lift = step * lift_step;
     const int count = paths.obstructed(lift);
@@ -81,6 +82,7 @@ Placement turn_and_lift(const PanelMesh& garment, const DistanceGrid& body,
     fewest = count;
     placement.lift = lift;
   }
+  if (fewest > lift_share * unlifted) placement.lift = 0;
   if (placement.lift > 0) placement.lift += lift_margin;
   const bool has_tubes =
       on_arms.empty() && std::find(lifted.begin(), lifted.end(), 0.0) != lifted.end();

@@ -36,7 +36,8 @@ int points_inside(const std::vector<Vec3>& points, const DistanceGrid& body);
 /// - All panels but those rolled around a limb are lifted together. The points to be sewn then meet
 ///   outside the body. A shoulder seam drawn below the body's shoulder would be pulled through it.
 /// - Of the lifts up to 20 cm, the one wins for which the body obstructs the fewest pairs
-///   (seam_paths.h). Of equal ones, the lowest wins.
+///   (seam_paths.h). Of equal ones, the lowest wins. It has to be at most half of the pairs that
+///   the body obstructs otherwise.
 /// - A garment with seams above the chest hangs from the shoulders. It is lifted by `hang` metres
 ///   at least, unless tubes around limbs hold it where it is.
 /// - A garment without such seams or sleeves is lifted only as long as no more of its points get

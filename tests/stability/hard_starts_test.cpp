@@ -151,6 +151,27 @@ TEST_F(HardStarts, SleevesStatedForTheWrongArmsAreSewnByTheirSeams) {
   EXPECT_EQ(std::ranges::count_if(report["warnings"], contradicts), 4) << report["warnings"];
 }
 
+/// Raised by 16 cm, two fewer of ten seams would meet in her armpits, and sleeves miss the arms.
+TEST_F(HardStarts, ATshirtOnAShortStoutWomanStaysAtHerShoulders) {
+  const fs::path woman = folder / "woman.ply";
+  const fs::path garment = folder / "garment.obj";
+  ASSERT_EQ(run("make-mannequin",
+                {"--measures", "height=162.4", "--measures", "bust=103.0", "--measures",
+                 "waist=85.1", "--measures", "hip=108.9", "--figure", "woman", "-o", woman, "-q"})
+                .exit_code,
+            0);
+  write_text(folder / "pattern.json", tshirt.dump());
+  ASSERT_EQ(
+      run("mesh-pattern", {folder / "pattern.json", "-o", garment, "--edge-length", "20mm", "-q"})
+          .exit_code,
+      0);
+  const pipeline::Run worn = run("dress", {"--body", woman, garment, "-o", dressed, "--report",
+                                           folder / "report.json", "--quality", "draft"});
+  EXPECT_EQ(worn.exit_code, 0) << worn.err;
+  report = Json::parse(read_text(folder / "report.json"));
+  for (const Json& stage : report["stages"]) EXPECT_EQ(stage["attempt"], 1) << stage;
+}
+
 TEST_F(HardStarts, APanelInsideOutIsSaid) {
   Json& y = panel("left_back")["rotation"][1];
   y = y.get<double>() + 180;
