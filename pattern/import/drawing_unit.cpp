@@ -14,9 +14,9 @@ constexpr double min_piece_length = 0.02;  ///< metres
 constexpr double max_piece_length = 5;     ///< metres
 constexpr double max_asked_length = 100;
 /// Metres: the largest piece of a garment is in between. In 24 of 26 drawings it is 21 to 112 cm
-/// long; one is a test square, one says "metric" of centimetres. With half of the least neither is
-/// questioned; double of it questions three small ones, whose units stay. Half or double of the
-/// most changes nothing.
+/// long; one is a test square, one says "metric" of centimetres. With half of the least the square
+/// is not questioned; double of it questions three small ones. Half or double of the most changes
+/// nothing.
 constexpr double usual_least = 0.15;
 constexpr double usual_most = 4;
 constexpr const char* unit_remedy = "say the unit: --unit mm, cm or inch";
