@@ -151,7 +151,8 @@ TEST_F(HardStarts, SleevesStatedForTheWrongArmsAreSewnByTheirSeams) {
   EXPECT_EQ(std::ranges::count_if(report["warnings"], contradicts), 4) << report["warnings"];
 }
 
-/// Raised by 16 cm, two fewer of ten seams would meet in her armpits, and sleeves miss the arms.
+/// Raised by 16 cm, the body obstructs eight of its seams' pairs in place of ten, and it crosses
+/// her.
 TEST_F(HardStarts, ATshirtOnAShortStoutWomanStaysAtHerShoulders) {
   const fs::path woman = folder / "woman.ply";
   const fs::path garment = folder / "garment.obj";
