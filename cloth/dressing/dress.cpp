@@ -220,7 +220,9 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
         refine_placed(meshes[depth], result.placement.initial, meshes[depth - 1]);
   }
   const bool is_tangled =
-      !is_clear && count_self_intersections(level, state) > max_hopeful_intersections;
+      (!is_clear && count_self_intersections(level, state) > max_hopeful_intersections) ||
+      (settled.was_sewn_through_body &&
+       count_body_intersections(level, state) > max_hopeful_intersections);
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };

@@ -68,6 +68,12 @@ std::size_t count_self_intersections(const Level& level, const State& state) {
   return self_intersections({state.nodes, level.model.node_triangles}).size();
 }
 
+std::size_t count_body_intersections(const Level& level, const State& state) {
+  return intersections({state.nodes, level.model.node_triangles},
+                       level.model.scene.collider->body())
+      .size();
+}
+
 bool is_clear_of_layers(const Level& level, const State& state) {
   // Metres: what is a little inside by the smoothed distance may be outside by the exact one.
   const Scene& scene = level.model.scene;

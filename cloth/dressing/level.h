@@ -52,6 +52,9 @@ bool is_clear_of_itself(const Level& level, const State& state);
 /// Pairs of triangles of the cloth that intersect, by the exact test.
 std::size_t count_self_intersections(const Level& level, const State& state);
 
+/// Pairs of triangles of cloth and body that intersect, by the exact test.
+std::size_t count_body_intersections(const Level& level, const State& state);
+
 /// Whether the cloth is outside of all layers below and meets none of them, so that bounds can keep
 /// it so. False without layers.
 bool is_clear_of_layers(const Level& level, const State& state);

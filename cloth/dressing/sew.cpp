@@ -114,17 +114,11 @@ std::vector<Vec3> lowered(const ArmRaise& raise, std::vector<Vec3> nodes) {
   return nodes;
 }
 
-bool crosses_body(const Level& level, const State& state) {
-  return !intersections({state.nodes, level.model.node_triangles},
-                        level.model.scene.collider->body())
-              .empty();
-}
-
 /// Whether the arms would come down into the cloth, as into a wide skirt that stands out.
 bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
   State state;
   state.nodes = lowered(raise, nodes);
-  return crosses_body(level, state);
+  return count_body_intersections(level, state) > 0;
 }
 
 /// Closes the seams from where the panels start, and lets the cloth come clear of itself.
@@ -184,7 +178,7 @@ Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_of
     if (staged.report.converged) staged = shrink(worn, std::move(staged), closing, journal);
     sewn.is_clear = staged.report.converged;
     sewn.state = std::move(staged.state);
-    sewn.crosses_body = crosses_body(worn, sewn.state);
+    sewn.crosses_body = count_body_intersections(worn, sewn.state) > 0;
     if (once || sewn.level.model.nodes > max_resewn_nodes) break;
   }
   if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);

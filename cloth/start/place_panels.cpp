@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cloth/start/hang_from_seams.h"
 #include "cloth/start/places_fit.h"
 #include "cloth/start/positioning.h"
 #include "geometry/error.h"
@@ -43,10 +44,8 @@ bool place_unfit(const TriangleMesh& body, const Skeleton& skeleton, PanelMesh& 
   return true;
 }
 
-}  // namespace
-
-PlacedPanels place_panels(const TriangleMesh& body, const Skeleton* skeleton,
-                          const AskedPlaces& asked, PanelMesh& garment) {
+PlacedPanels place_as_worn(const TriangleMesh& body, const Skeleton* skeleton,
+                           const AskedPlaces& asked, PanelMesh& garment) {
   PlacedPanels placed;
   if (skeleton == nullptr) {
     check_needs_no_skeleton(garment, asked);
@@ -65,6 +64,15 @@ PlacedPanels place_panels(const TriangleMesh& body, const Skeleton* skeleton,
   if (asks_for_skeleton(garment) || stands_as_drawn(garment)) return placed;
   // What the seams tell takes the place of the layout's move.
   if (place_unfit(body, *skeleton, garment, placed)) placed.moved.reset();
+  return placed;
+}
+
+}  // namespace
+
+PlacedPanels place_panels(const TriangleMesh& body, const Skeleton* skeleton,
+                          const AskedPlaces& asked, PanelMesh& garment) {
+  PlacedPanels placed = place_as_worn(body, skeleton, asked, garment);
+  hang_from_seams(body, garment);
   return placed;
 }
 
