@@ -68,8 +68,8 @@ struct MeshedCutOut {
 /// before those of a finer one. n = 0 says that nothing is known of nesting.
 struct PanelMesh {
   std::vector<Vec2> flat;  ///< metres, per material point
-  /// Metres, per material point: where the pattern puts it in space. A panel that the skeleton
-  /// positions stands beside a schematic figure here.
+  /// Metres, per material point: where the pattern puts it in space, and place_panels() after it. A
+  /// panel that the skeleton positions stands beside a schematic figure here.
   std::vector<Vec3> placed;
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges

@@ -21,6 +21,7 @@ namespace {
 struct UpperSeam {
   std::vector<Vec2> flat;  ///< metres, on the panel, which lies to the left of the run
   std::vector<Vec3> at;    ///< metres: where the other side stands
+  std::vector<Vec3> own;   ///< metres: where the panel's side stands
 };
 
 /// Where a point of a panel is, seen from the upper seam.
@@ -28,7 +29,8 @@ struct Foot {
   std::size_t segment = 0;
   double share = 0;   ///< in [0, 1], along the segment
   double beyond = 0;  ///< metres beyond the seam's end, along the segment
-  double away = std::numeric_limits<double>::infinity();  ///< metres from the seam
+  double away = 0;    ///< metres from the seam, to its left
+  double aside = 0;   ///< radians to the left from square to the segment, at a bend of the seam
 };
 
 Foot foot_on(const std::vector<Vec2>& seam, const Vec2& p) {
@@ -37,15 +39,17 @@ Foot foot_on(const std::vector<Vec2>& seam, const Vec2& p) {
   for (std::size_t i = 0; i + 1 < seam.size(); ++i) {
     const Vec2 along = seam[i + 1] - seam[i];
     const double share = (p - seam[i]).dot(along) / along.squaredNorm();
-    const Vec2 away = p - seam[i] - std::clamp(share, 0.0, 1.0) * along;
-    if (away.norm() >= nearest) continue;
-    nearest = away.norm();
-    best = {i, std::clamp(share, 0.0, 1.0), 0, away.norm()};
-    const bool is_beyond = (i == 0 && share < 0) || (i + 2 == seam.size() && share > 1);
-    if (!is_beyond) continue;
+    const double within = std::clamp(share, 0.0, 1.0);
+    const Vec2 way = p - seam[i] - within * along;
+    if (way.norm() >= nearest) continue;
+    nearest = way.norm();
     const Vec2 left = Vec2(-along.y(), along.x()).normalized();
-    best.beyond = away.dot(along.normalized());
-    best.away = std::max(0.0, away.dot(left));
+    const double away = way.dot(left);
+    const double beyond = way.dot(along.normalized());
+    const bool is_at_end = (i == 0 && share < 0) || (i + 2 == seam.size() && share > 1);
+    const bool is_at_bend = within != share && !is_at_end;
+    best = is_at_bend ? Foot{i, within, 0, nearest, std::atan2(-beyond, away)}
+                      : Foot{i, within, beyond, away, 0};
   }
   return best;
 }
@@ -60,19 +64,15 @@ bool has_corner(const std::vector<Vec2>& line) {
   return false;
 }
 
-/// Radians by which a polyline has turned at each of its points, to the left.
+/// Radians by which each segment of a polyline has turned from the first, to the left.
 std::vector<double> turns(const std::vector<Vec2>& line) {
   std::vector<double> turned = {0};
-  double segment = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const Vec2 before = line[i] - line[i - 1];
     const Vec2 after = line[i + 1] - line[i];
-    const double turn =
-        std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-    turned.push_back(segment + 0.5 * turn);
-    segment += turn;
+    turned.push_back(turned.back() + std::atan2(before.x() * after.y() - before.y() * after.x(),
+                                                before.dot(after)));
   }
-  turned.push_back(segment);
   return turned;
 }
 
@@ -107,23 +107,55 @@ std::vector<Vec3> evened(const std::vector<Vec3>& ways, const std::vector<Vec3>&
 
 /// The directions in which a panel hangs: the fan of the flat panel, as far as a plane has room for
 /// it. Where the seam itself bends more than that, they are square to the seam.
-std::vector<Vec3> ways_down(const Vec3& facing, const UpperSeam& seam, double depth) {
-  std::vector<Vec3> ways = evened(square_ways(facing, seam.at), seam.at, depth);
-  Vec3 middle = Vec3::Zero();
-  for (const Vec3& way : ways) middle += way;
-  middle.normalize();
-  const Vec3 left = facing.cross(middle);
-  const auto angle = [&](const Vec3& way) { return std::atan2(way.dot(left), way.dot(middle)); };
-  const double bends = std::abs(angle(ways.back()) - angle(ways.front()));
-  const std::vector<double> turned = turns(seam.flat);
-  const double whole = turned.back();
-  const double share = std::min(1.0, max_fan / std::max(std::abs(whole), 1e-9));
-  if (share * std::abs(whole) <= bends) return ways;
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const double turn = share * (turned[i] - 0.5 * whole);
-    ways[i] = std::cos(turn) * middle + std::sin(turn) * left;
+class WaysDown {
+ public:
+  WaysDown(const Vec3& facing, const UpperSeam& seam, double depth)
+      : ways_(evened(square_ways(facing, seam.at), seam.at, depth)), turned_(turns(seam.flat)) {
+    for (const Vec3& way : ways_) middle_ += way;
+    middle_.normalize();
+    left_ = facing.cross(middle_);
+    const double bends = std::abs(angle(ways_.back()) - angle(ways_.front()));
+    const double whole = std::abs(turned_.back());
+    const double opening = std::min(whole, max_fan);
+    if (opening > bends) share_ = opening / whole;
   }
-  return ways;
+
+  const Vec3& middle() const { return middle_; }
+  Vec3 at(const Foot& foot) const {
+    if (share_ == 0) {
+      return ((1 - foot.share) * ways_[foot.segment] + foot.share * ways_[foot.segment + 1])
+          .normalized();
+    }
+    const double turn = share_ * (turned_[foot.segment] + foot.aside - 0.5 * turned_.back());
+    return std::cos(turn) * middle_ + std::sin(turn) * left_;
+  }
+
+ private:
+  double angle(const Vec3& way) const { return std::atan2(way.dot(left_), way.dot(middle_)); }
+
+  std::vector<Vec3> ways_;  // at each point of the seam
+  std::vector<double> turned_;
+  Vec3 middle_ = Vec3::Zero();
+  Vec3 left_ = Vec3::Zero();
+  double share_ = 0;  // of the flat panel's fan; 0: the ways are those of the seam
+};
+
+/// Per panel, whether it hangs. Skirts do. Of a skirt alone, its uppermost panels hold the others.
+std::vector<bool> hanging_panels(const PanelMesh& garment) {
+  std::vector<double> tops;
+  std::vector<bool> hangs;
+  for (const MeshedPanel& panel : garment.panels) {
+    double top = -std::numeric_limits<double>::infinity();
+    for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
+      top = std::max(top, garment.placed[p].y());
+    }
+    tops.push_back(top);
+    hangs.push_back(panel.is.worn_as == PanelRole::skirt && !panel.placement.by_part());
+  }
+  if (std::ranges::count(hangs, false) > 0) return hangs;
+  const double top = *std::ranges::max_element(tops);
+  for (std::size_t p = 0; p < hangs.size(); ++p) hangs[p] = tops[p] < top - top_slack;
+  return hangs;
 }
 
 class HangingPanels {
@@ -132,7 +164,7 @@ class HangingPanels {
       : body_(body),
         garment_(garment),
         panel_of_(panel_of_points(garment)),
-        hangs_(garment.panels.size(), false),
+        hangs_(hanging_panels(garment)),
         facing_(garment.panels.size()),
         border_(garment.panels.size()),
         place_on_border_(garment.flat.size(), -1) {
@@ -145,7 +177,6 @@ class HangingPanels {
         place_on_border_[border_[p][i]] = static_cast<int>(i);
       }
     }
-    find_hanging();
   }
 
   void run() {
@@ -166,29 +197,10 @@ class HangingPanels {
     return {first, first + panel.triangles};
   }
 
-  /// Skirts hang. Of a skirt alone, its uppermost panels hold the others.
-  void find_hanging() {
-    std::vector<double> tops;
-    for (const MeshedPanel& panel : garment_.panels) {
-      double top = -std::numeric_limits<double>::infinity();
-      for (int p = panel.first_point; p < panel.first_point + panel.points; ++p) {
-        top = std::max(top, garment_.placed[p].y());
-      }
-      tops.push_back(top);
-    }
-    const double top = *std::ranges::max_element(tops);
-    bool all = true;
-    for (std::size_t p = 0; p < hangs_.size(); ++p) {
-      const MeshedPanel& panel = garment_.panels[p];
-      hangs_[p] = panel.is.worn_as == PanelRole::skirt && !panel.placement.by_part();
-      all = all && hangs_[p];
-    }
-    for (std::size_t p = 0; all && p < hangs_.size(); ++p) hangs_[p] = tops[p] < top - top_slack;
-  }
-
-  /// Whether panel p may hang from panel q.
+  /// Whether panel p may hang from panel q. One that the skeleton will position is not there yet.
   bool may_hold(std::size_t q, std::size_t p) const {
-    return !hangs_[q] && facing_[q].dot(facing_[p]) > same_facing;
+    return !hangs_[q] && !garment_.panels[q].placement.by_part() &&
+           facing_[q].dot(facing_[p]) > same_facing;
   }
 
   /// The panels that hang from those that no longer move.
@@ -284,7 +296,8 @@ class HangingPanels {
       seam.flat.push_back(garment_.flat[border[i % n]]);
       seam.at.push_back(sum / static_cast<double>(sewn.size()));
       others.push_back(sewn.front());
-      open += (garment_.placed[border[i % n]] - seam.at.back()).norm();
+      seam.own.push_back(garment_.placed[border[i % n]]);
+      open += (seam.own.back() - seam.at.back()).norm();
     }
     if (seam.at.size() < 3 || steps_against(others) <= 0) return std::nullopt;
     const bool stands_well = open < near_seam * static_cast<double>(seam.at.size());
@@ -300,18 +313,33 @@ class HangingPanels {
       feet.push_back(foot_on(seam.flat, garment_.flat[i]));
       depth = std::max(depth, feet.back().away);
     }
-    const std::vector<Vec3> down = ways_down(facing_[p], seam, depth);
-    const std::vector<Vec3> before = garment_.placed;
+    const WaysDown down(facing_[p], seam, depth);
+    if (!hangs_as_placed(panel, seam, down.middle())) return;
+    const auto first = garment_.placed.begin() + panel.first_point;
+    const std::vector<Vec3> before(first, first + panel.points);
     for (int i = 0; i < panel.points; ++i) {
       const Foot& foot = feet[i];
       const Vec3& from = seam.at[foot.segment];
       const Vec3& to = seam.at[foot.segment + 1];
-      const Vec3 way =
-          ((1 - foot.share) * down[foot.segment] + foot.share * down[foot.segment + 1]).normalized();
-      garment_.placed[panel.first_point + i] = from + foot.share * (to - from) + foot.away * way +
-                                               foot.beyond * way.cross(facing_[p]);
+      const Vec3 way = down.at(foot);
+      garment_.placed[panel.first_point + i] =
+          from + foot.share * (to - from) + foot.away * way + foot.beyond * way.cross(facing_[p]);
     }
-    if (!intersections({garment_.placed, triangles(p)}, body_).empty()) garment_.placed = before;
+    if (!intersections({garment_.placed, triangles(p)}, body_).empty()) {
+      std::ranges::copy(before, first);
+    }
+  }
+
+  /// Whether a panel would hang down, and the same way up as the pattern places it. One that is
+  /// sewn by its hem stays, for others to find.
+  bool hangs_as_placed(const MeshedPanel& panel, const UpperSeam& seam, const Vec3& down) const {
+    Vec3 middle = Vec3::Zero();
+    for (int i = panel.first_point; i < panel.first_point + panel.points; ++i) {
+      middle += garment_.placed[i] / panel.points;
+    }
+    Vec3 top = Vec3::Zero();
+    for (const Vec3& p : seam.own) top += p / static_cast<double>(seam.own.size());
+    return -down.y() > same_facing && down.dot(middle - top) > 0;
   }
 
   const TriangleMesh& body_;

