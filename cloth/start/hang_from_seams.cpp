@@ -285,7 +285,7 @@ class HangingPanels {
         begins.push_back(i);
       }
     }
-    if (begins.size() != 1) return std::nullopt;
+    if (n == 0 || begins.size() != 1) return std::nullopt;
     UpperSeam seam;
     std::vector<int> others;
     double open = 0;
