@@ -74,6 +74,8 @@ struct PanelMesh {
   std::vector<Triangle> triangles;  ///< of material points, counter-clockwise in flat coordinates
   std::vector<MeshedPanel> panels;  ///< in order of their ranges
   std::vector<MeshedSeam> seams;
+  /// Per material point, not 0 where its seams are left open; empty: all seams are sewn.
+  std::vector<char> unsewn;
   std::vector<MeshedElastic> elastics;
   std::vector<MeshedAttachment> attachments;
   std::vector<MeshedMark> marks;

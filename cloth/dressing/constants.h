@@ -29,8 +29,8 @@ struct Closing {
 /// 3,000. With 30,000 most tangle again, for gathers can't fold; but two of three that tangle three
 /// times do not [measured].
 ///
-/// What is cut far too small for an arm or a hip closes through it. Larger cloth closes around it,
-/// and then shrinks.
+/// What is cut far too small for an arm or a hip does not close around it. Larger cloth does, and
+/// then shrinks.
 inline constexpr std::array<Closing, 7> closing_attempts = {{{3000, closing_pull, 1},
                                                              {10000, 0.5, 1},
                                                              {10000, closing_pull, 1},

@@ -54,7 +54,7 @@ struct SettledGarment {
   Placement placement;            // of the coarsest
   Level level;
   State state;
-  bool was_sewn_through_body = false;
+  bool was_held_apart = false;
   bool is_clear = false;
   bool is_in_place = false;
   bool friction = false;
@@ -89,7 +89,8 @@ SettledGarment sew_and_settle(const PanelMesh& garment, const Scene& scene, doub
   const PanelMesh& coarsest = settled.meshes.back();
   const int depth = static_cast<int>(settled.meshes.size()) - 1;
   settled.placement = std::move(sewn.placement);
-  settled.was_sewn_through_body = sewn.crosses_body;
+  settled.was_held_apart = sewn.crosses_body || !sewn.unsewn.empty();
+  if (!sewn.unsewn.empty()) leave_open(settled.meshes, std::move(sewn.unsewn));
   settled.level = compiled_level(coarsest, depth, scene, settled.placement.placed, resting_offset);
   sewn.state = lifted(settled.level, std::move(sewn.state), sewn.is_clear, journal);
   settled.state =
@@ -202,8 +203,8 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   result.body_offset = resting_offset(garment, scene);
 
   SettledGarment settled = put_on(garment, scene, result.body_offset, journal);
-  // What was sewn tangled or through the body did not slip.
-  if (!settled.is_in_place && settled.is_clear && !settled.was_sewn_through_body) {
+  // What was sewn tangled, or was held apart by the body, did not slip.
+  if (!settled.is_in_place && settled.is_clear && !settled.was_held_apart) {
     if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
       journal.begin_attempt(journal.attempt() + 1);
       SettledGarment anew = put_on(*held, scene, result.body_offset, journal);
@@ -221,7 +222,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   }
   const bool is_tangled =
       (!is_clear && count_self_intersections(level, state) > max_hopeful_intersections) ||
-      (settled.was_sewn_through_body &&
+      (settled.was_held_apart &&
        count_body_intersections(level, state) > max_hopeful_intersections);
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;

@@ -7,6 +7,7 @@
 
 #include "cloth/dressing/constants.h"
 #include "cloth/dressing/stages.h"
+#include "cloth/judge/constants.h"
 #include "cloth/scene/collider.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
@@ -121,69 +122,147 @@ bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const Arm
   return count_body_intersections(level, state) > 0;
 }
 
-/// Closes the seams from where the panels start, and lets the cloth come clear of itself.
-Staged close_and_untangle(const Level& level, const Closing& closing, Journal& journal) {
-  State state;
-  state.nodes = level.model.start;
-  Staged staged = close_seams(level, std::move(state), closing, journal);
-  return untangle(level, std::move(staged.state), closing, journal);
-}
+/// A mesh as its seams close and as the garment is then worn, with its arms down.
+struct SewingLevels {
+  Level closing;  ///< compiled for closing_scene(), with the arms raised if any are
+  Level worn;     ///< the same around the body as it stands
+};
+
+/// Sews one garment; see sew().
+class Sewing {
+ public:
+  Sewing(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset,
+         Journal& journal)
+      : mesh_(mesh),
+        depth_(depth),
+        scene_(scene),
+        resting_offset_(resting_offset),
+        journal_(journal),
+        raise_(arm_raise(mesh, scene)) {
+    if (raise_) raised_.emplace(scene, *raise_);
+  }
+
+  Sewn run(bool once) {
+    PanelMesh turned;
+    if (raise_) turned = with_sleeves_raised(mesh_, *scene_.skeleton, *raise_);
+    if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
+    Positioned positioned = position(raise_ ? turned : mesh_, depth_,
+                                     raise_ ? raised_->scene : scene_, resting_offset_, journal_);
+    sewn_.placement = std::move(positioned.placement);
+    if (mesh_.seams.empty()) {
+      sewn_.state.nodes = positioned.level.model.start;
+      sewn_.is_clear = is_clear_of_itself(positioned.level, sewn_.state);
+      return std::move(sewn_);
+    }
+    starts_at_ = sewn_.placement.placed;
+    if (raise_) sewn_.placement.placed = lowered(*raise_, starts_at_);
+    Level worn = raise_ ? worn_level(mesh_) : positioned.level;
+    close_in_some_way({std::move(positioned.level), std::move(worn)}, once);
+    if (raised_ && scene_.raised_distances != nullptr) {
+      scene_.raised_distances->keep(raised_->collider);
+    }
+    return std::move(sewn_);
+  }
+
+ private:
+  Level worn_level(const PanelMesh& mesh) const {
+    return compiled_level(mesh, depth_, closing_scene(scene_), sewn_.placement.placed,
+                          resting_offset_);
+  }
+
+  void close_in_some_way(const SewingLevels& levels, bool once) {
+    int attempt = journal_.attempt();
+    HeldSeams held;
+    for (const Closing& closing : closing_attempts) {
+      // Stiffer cloth helps where it came out tangled, larger cloth where it crosses the body.
+      if (closing.size > 1 ? !sewn_.crosses_body : sewn_.is_clear) continue;
+      journal_.begin_attempt(attempt++);
+      if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
+      State start;
+      start.nodes = levels.closing.model.start;
+      Staged closed =
+          close_seams(enlarged(levels.closing, closing.size), std::move(start), closing, journal_);
+      if (closing.size == 1 && held.open.empty()) held = std::move(closed.held);
+      put_on(levels, std::move(closed), closing);
+      if (once) return;
+      if (levels.closing.model.nodes > max_resewn_nodes) break;
+    }
+    if (sewn_.crosses_body && !held.open.empty()) leave_seams_open(levels.closing, held);
+  }
+
+  /// Lets cloth whose seams are closed come clear of itself, and takes it down with the arms.
+  void put_on(const SewingLevels& levels, Staged staged, const Closing& closing) {
+    const Level large = enlarged(levels.closing, closing.size);
+    staged = untangle(large, std::move(staged.state), closing, journal_);
+    // A tangle that falls only gets worse.
+    if (raise_ && staged.report.converged &&
+        is_in_the_way(levels.worn, staged.state.nodes, *raise_)) {
+      staged = settle(large, std::move(staged.state), true, true, journal_);
+    }
+    journal_.show_through({});
+    if (raise_) {
+      staged.state.nodes = lowered(*raise_, std::move(staged.state.nodes));
+      staged.state.warm_start = {};  // friction held it on the raised body
+      staged =
+          untangle(enlarged(levels.worn, closing.size), std::move(staged.state), closing, journal_);
+    }
+    if (staged.report.converged) staged = shrink(levels.worn, std::move(staged), closing, journal_);
+    sewn_.is_clear = staged.report.converged;
+    sewn_.state = std::move(staged.state);
+    sewn_.crosses_body = count_body_intersections(levels.worn, sewn_.state) > 0;
+  }
+
+  /// Goes on from seams that the body held apart, with those open.
+  void leave_seams_open(const Level& level, const HeldSeams& held) {
+    const std::vector<Vec3> points = point_positions(level.model, held.nodes, held.open);
+    PanelMesh open = mesh_;
+    open.unsewn.assign(points.size(), 0);
+    for (const MeshedSeam& seam : mesh_.seams) {
+      for (std::size_t i = 0; i < seam.a.size(); ++i) {
+        if ((points[seam.a[i]] - points[seam.b[i]]).norm() > sewn_gap) {
+          open.unsewn[seam.a[i]] = open.unsewn[seam.b[i]] = 1;
+        }
+      }
+    }
+    // Where several seams meet in one node, they open together.
+    std::vector<char> is_open(level.model.nodes, 0);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (open.unsewn[p] != 0) is_open[level.model.node_of_point[p]] = 1;
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      open.unsewn[p] = is_open[level.model.node_of_point[p]];
+    }
+    const SewingLevels levels = {
+        compiled_level(open, depth_, closing_scene(raise_ ? raised_->scene : scene_), starts_at_,
+                       resting_offset_),
+        worn_level(open)};
+    State state;
+    state.nodes.resize(levels.closing.model.nodes);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      state.nodes[levels.closing.model.node_of_point[p]] = points[p];
+    }
+    journal_.begin_attempt(journal_.attempt() + 1);
+    if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
+    put_on(levels, {std::move(state), {}}, closing_attempts.front());
+    sewn_.unsewn = std::move(open.unsewn);
+  }
+
+  const PanelMesh& mesh_;
+  int depth_;
+  const Scene& scene_;
+  double resting_offset_;
+  Journal& journal_;
+  std::optional<ArmRaise> raise_;
+  std::optional<RaisedScene> raised_;
+  std::vector<Vec3> starts_at_;  // metres, per material point, with the arms raised
+  Sewn sewn_;
+};
 
 }  // namespace
 
 Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset, bool once,
          Journal& journal) {
-  const std::optional<ArmRaise> raise = arm_raise(mesh, scene);
-  std::optional<RaisedScene> raised;
-  if (raise) raised.emplace(scene, *raise);
-  PanelMesh turned;
-  if (raise) turned = with_sleeves_raised(mesh, *scene.skeleton, *raise);
-  if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-  Positioned positioned = position(raise ? turned : mesh, depth, raised ? raised->scene : scene,
-                                   resting_offset, journal);
-  Sewn sewn;
-  sewn.placement = std::move(positioned.placement);
-  sewn.level = std::move(positioned.level);
-  if (mesh.seams.empty()) {
-    sewn.state.nodes = sewn.level.model.start;
-    sewn.is_clear = is_clear_of_itself(sewn.level, sewn.state);
-    return sewn;
-  }
-  Level standing;
-  if (raise) {
-    for (Vec3& p : sewn.placement.placed) p = raise->lowered(p);
-    standing =
-        compiled_level(mesh, depth, closing_scene(scene), sewn.placement.placed, resting_offset);
-  }
-  int attempt = journal.attempt();
-  for (const Closing& closing : closing_attempts) {
-    // Stiffer cloth helps where it came out tangled, larger cloth where it crosses the body.
-    if (closing.size > 1 ? !sewn.crosses_body : sewn.is_clear) continue;
-    journal.begin_attempt(attempt++);
-    if (raise) journal.show_through([&](const Vec3& p) { return raise->lowered(p); });
-    const Level large = enlarged(sewn.level, closing.size);
-    Staged staged = close_and_untangle(large, closing, journal);
-    // A tangle that falls only gets worse.
-    if (raise && staged.report.converged && is_in_the_way(standing, staged.state.nodes, *raise)) {
-      staged = settle(large, std::move(staged.state), true, true, journal);
-    }
-    journal.show_through({});
-    if (raise) {
-      staged.state.nodes = lowered(*raise, std::move(staged.state.nodes));
-      staged.state.warm_start = {};  // friction held it on the raised body
-      staged =
-          untangle(enlarged(standing, closing.size), std::move(staged.state), closing, journal);
-    }
-    const Level& worn = raise ? standing : sewn.level;
-    if (staged.report.converged) staged = shrink(worn, std::move(staged), closing, journal);
-    sewn.is_clear = staged.report.converged;
-    sewn.state = std::move(staged.state);
-    sewn.crosses_body = count_body_intersections(worn, sewn.state) > 0;
-    if (once || sewn.level.model.nodes > max_resewn_nodes) break;
-  }
-  if (raised && scene.raised_distances != nullptr) scene.raised_distances->keep(raised->collider);
-  if (raise) sewn.level = std::move(standing);
-  return sewn;
+  return Sewing(mesh, depth, scene, resting_offset, journal).run(once);
 }
 
 }  // namespace toile

@@ -7,11 +7,13 @@
 
 namespace toile {
 
-/// A garment on its coarsest mesh, with its seams closed.
+/// A garment on its coarsest mesh, with its seams closed around the body.
 struct Sewn {
   Placement placement;
-  Level level;  ///< compiled for closing_scene()
   State state;
+  /// Per material point, not 0 where its seams are left open: the body stands between their sides.
+  /// Empty: all seams are sewn. The state's nodes are those of a mesh with as many open.
+  std::vector<char> unsewn;
   bool is_clear = false;      ///< of itself
   bool crosses_body = false;  ///< as what closed through an arm does
 };
@@ -22,8 +24,10 @@ struct Sewn {
 /// (ArmRaise). Skirts and wide tops then close past the arms, and sleeves around them. The garment
 /// comes down with the arms. Over layers the arms stay.
 ///
-/// Panels that tangle or cross the body are sewn again in other ways (closing_attempts), unless
-/// `once` is asked for. Throws what find_start() and compile() throw.
+/// Cloth that starts clear of the body stays clear of it. Panels that tangle, or whose seams the
+/// body holds apart, are sewn again in other ways (closing_attempts), unless `once` is asked for.
+/// Seams that the body holds apart in all of them are left open. Throws what find_start() and
+/// compile() throw.
 Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset, bool once,
          Journal& journal);
 

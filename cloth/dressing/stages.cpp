@@ -92,7 +92,7 @@ Staged run_on(const std::string& name, const Level& level, const GarmentModel& m
   RelaxReport report = journal.run(name, *level.mesh, model, options, state.nodes, end);
   state.warm_start = std::move(report.warm_start);
   state.extra_offset = std::move(report.extra_offset);
-  return {std::move(state), journal.stages().back()};
+  return {std::move(state), journal.stages().back(), std::move(report.held)};
 }
 
 /// A run in which friction holds the cloth where it first touches.
@@ -140,6 +140,7 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
   options.closing_iterations = static_cast<int>(closing_iterations * across);
   options.passing_iterations = passing_iterations;
+  options.passes_body = closing.size == 1;
   options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
   options.momentum = closing_momentum;

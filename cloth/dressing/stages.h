@@ -13,6 +13,7 @@ namespace toile {
 struct Staged {
   State state;
   StageReport report;
+  HeldSeams held = {};  ///< of close_seams()
 };
 
 /// The scene in which seams close. No cloth is softer than closing_stretch and closing_shear, for

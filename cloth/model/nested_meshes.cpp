@@ -81,6 +81,24 @@ PanelMesh coarsen(const PanelMesh& fine) {
   return coarse;
 }
 
+void leave_open(std::vector<PanelMesh>& meshes, std::vector<char> unsewn) {
+  meshes.back().unsewn = std::move(unsewn);
+  for (std::size_t depth = meshes.size() - 1; depth > 0; --depth) {
+    const PanelMesh& coarse = meshes[depth];
+    PanelMesh& fine = meshes[depth - 1];
+    fine.unsewn.assign(fine.flat.size(), 0);
+    for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {
+      const auto is_open = [&](int corner) { return coarse.unsewn[coarse.triangles[t][corner]]; };
+      for (int i = 0; i < 3; ++i) {
+        fine.unsewn[fine.triangles[4 * t + i][i]] = is_open(i);
+        // Half of an edge that is sewn at one end is open.
+        fine.unsewn[fine.triangles[4 * t + 3][i]] =
+            static_cast<char>(is_open(i) != 0 || is_open((i + 1) % 3) != 0);
+      }
+    }
+  }
+}
+
 std::vector<Vec3> refine_positions(const PanelMesh& coarse, const std::vector<int>& coarse_nodes,
                                    const std::vector<Vec3>& coarse_positions, const PanelMesh& fine,
                                    const std::vector<int>& fine_nodes, int fine_node_count) {

@@ -11,6 +11,10 @@ namespace toile {
 /// `fine.subdivisions` has to be at least 1. Linear.
 PanelMesh coarsen(const PanelMesh& fine);
 
+/// Leaves the seams at some points of the coarsest of the nested meshes open, on all of them.
+/// `meshes`: the finest first. `unsewn`: as PanelMesh's, of the last mesh. Linear.
+void leave_open(std::vector<PanelMesh>& meshes, std::vector<char> unsewn);
+
 /// Positions (metres) of the nodes of a finer level. Old points stay, and new ones stand in the
 /// middle of their edge. So the surface is the same set of points in space, and stays free of
 /// intersections.

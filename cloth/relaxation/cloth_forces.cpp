@@ -83,8 +83,8 @@ void ClothForces::use_vertices(bool points) {
   if (points) place_points();
   attraction_.clear();
   computed_ = 0;
-  neighbourhood_ =
-      std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions(), !passes_cloth_);
+  neighbourhood_ = std::make_unique<Neighbourhood>(model_, options_, *vertices_, positions(),
+                                                   !passes_cloth_, !passes_body_);
   barrier_.reset();
   if (options_.barrier && touches_body(model_.scene)) {
     std::vector<BodyBarrier::Pair> seams;
@@ -130,13 +130,20 @@ void ClothForces::close_seams(double wanted) {
     }
     const double change = std::min(wanted - open_[n], 0.0);
     double share = 1;
+    // The closing moves the points, no farther than their bounds allow.
     if (change < 0 && neighbourhood_->bounded()) {
-      // The closing moves the points, no farther than their bounds allow.
       for (const int p : vertices_->of_node[n]) {
         share = std::min(share, neighbourhood_->allowed_share(p, change * model_.offsets[p]));
       }
+      if (share < 1) neighbourhood_->request_search();
     }
-    if (share < 1) neighbourhood_->request_search();
+    if (change < 0) {
+      for (const int p : vertices_->of_node[n]) {
+        const Vec3 at = as_vec3(points_[p]);
+        const Vec3 to = at + change * model_.offsets[p];
+        share = std::min(share, neighbourhood_->allowed_share_beside_body(p, at, to));
+      }
+    }
     open_[n] += share * change;
     max_open_ = std::max(max_open_, open_[n]);
   }
@@ -211,8 +218,9 @@ const std::vector<int>& ClothForces::leave_cloth() {
   return left_cloth_;
 }
 
-void ClothForces::pass_through_cloth() {
+void ClothForces::pass_through_cloth(bool and_body) {
   passes_cloth_ = true;
+  passes_body_ = and_body;
   use_vertices(true);
 }
 
@@ -341,6 +349,25 @@ Vec3 ClothForces::within_bounds(std::size_t n, const Vec3& wanted) const {
   return share < 1 ? Vec3(from + share * displacement) : wanted;
 }
 
+/// Where node n comes on its path beside the body. No point of an open seam leaves its bounds.
+Vec3 ClothForces::reached_beside_body(std::size_t n, const Vec3& from, const Vec3& to) const {
+  if (!seams_stand_open()) return neighbourhood_->reached_beside_body(n, from, to);
+  Vec3 reached = to;
+  const auto offset = [&](int p) { return Vec3(open_[n] * model_.offsets[p]); };
+  for (const int p : vertices_->of_node[n]) {
+    const Vec3 wanted = reached + offset(p);
+    const Vec3 beside = neighbourhood_->reached_beside_body(p, from + offset(p), wanted);
+    if (beside != wanted) reached = beside - offset(p);
+  }
+  if (reached == to) return to;
+  double share = 1;
+  for (const int p : vertices_->of_node[n]) {
+    share = std::min(
+        share, neighbourhood_->allowed_share_beside_body(p, from + offset(p), reached + offset(p)));
+  }
+  return from + share * (reached - from);
+}
+
 /// Moves a node that leaves the safe ball of one of its vertices. It stops at its bounds, and its
 /// vertices get new balls. Returns whether it got to `wanted`.
 bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
@@ -353,7 +380,7 @@ bool ClothForces::move_on(std::size_t n, const Vec4& wanted) {
     next = within;
   }
   const Vec3 from = as_vec3(nodes_[n]);
-  const Vec3 beside = neighbourhood_->reached_beside_body(n, from, next);
+  const Vec3 beside = reached_beside_body(n, from, next);
   if (beside != next) {
     allowed = false;
     next = beside;

@@ -43,8 +43,8 @@ class ClothForces {
   /// Closes the seams until the share `open` of their width is left, each node by itself, as far
   /// as its bounds allow. Once all are at 0, they are sewn for good.
   void close_seams(double open);
-  /// From here on cloth passes through cloth while the seams close.
-  void pass_through_cloth();
+  /// From here on cloth passes through cloth while the seams close, and through the body if asked.
+  void pass_through_cloth(bool and_body);
 
   /// Finds the forces of one step. Calls take(begin, end, forces) for ranges of nodes, in parallel.
   /// `forces` has the force (N) of each node, with a bound of its stiffness (N/m) as the fourth
@@ -154,6 +154,7 @@ class ClothForces {
   bool move_on(std::size_t n, const Vec4& wanted);
   double allowed_share(std::size_t n, const Vec3& displacement) const;
   Vec3 within_bounds(std::size_t n, const Vec3& wanted) const;
+  Vec3 reached_beside_body(std::size_t n, const Vec3& from, const Vec3& to) const;
   void place_points();
   void place_points(std::size_t begin, std::size_t end);
   void find_attraction();
@@ -173,6 +174,7 @@ class ClothForces {
   std::vector<double> open_;             // per node; empty: the seams are closed
   double max_open_ = 0;
   bool passes_cloth_ = false;
+  bool passes_body_ = false;
   double bending_ = 1;
   int computed_ = 0;
   int searches_before_ = 0;  // by the neighbourhood of the material points

@@ -33,7 +33,8 @@ std::vector<double> approach_bounds(const GarmentModel& model) {
 }  // namespace
 
 Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& options,
-                             const Vertices& vertices, const Vec4s& x, bool self_contact)
+                             const Vertices& vertices, const Vec4s& x, bool self_contact,
+                             bool body_bounds)
     : model_(model),
       options_(options),
       vertices_(vertices),
@@ -42,8 +43,8 @@ Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& opti
       near_body_(vertices.count, 0),
       approach_bound_(vertices.spread(approach_bounds(model))),
       safe_balls_(vertices.count, Vec4{}) {
-  if ((options.bounded || options.bounded_by_body) && touches_body_exactly(model.scene) &&
-      !vertices.are_points) {
+  if (body_bounds && (options.bounded || options.bounded_by_body) &&
+      touches_body_exactly(model.scene)) {
     body_bounds_ =
         std::make_unique<BodyBounds>(*model.scene.collider, vertices.triangles, vertices.count);
   }
@@ -95,6 +96,10 @@ Vec3 Neighbourhood::clipped(std::size_t v, const Vec3& wanted) const {
   const Vec3 away = wanted - searched_at_[v];
   const double distance = away.norm();
   return distance > bound_[v] ? searched_at_[v] + away * (bound_[v] / distance) : wanted;
+}
+
+double Neighbourhood::allowed_share_beside_body(std::size_t v, const Vec3& from, const Vec3& to) {
+  return body_bounds_ ? body_bounds_->allowed_share(static_cast<int>(v), from, to) : 1;
 }
 
 Vec3 Neighbourhood::reached_beside_body(std::size_t v, const Vec3& from, const Vec3& to) {

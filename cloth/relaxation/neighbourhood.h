@@ -36,9 +36,10 @@ class Neighbourhood {
  public:
   /// `x`: metres, one a vertex, then the points of the scene's layers. It is read at each update.
   /// Model, options, vertices and `x` must outlive this.
-  /// Without `self_contact`, cloth passes through cloth, whatever the scene says.
+  /// Without `self_contact`, cloth passes through cloth, whatever the scene says. Without
+  /// `body_bounds`, nothing but a push keeps it off the body.
   Neighbourhood(const GarmentModel& model, const ForceOptions& options, const Vertices& vertices,
-                const Vec4s& x, bool self_contact = true);
+                const Vec4s& x, bool self_contact = true, bool body_bounds = true);
 
   /// Searches for near cloth when vertices have used up their bounds, and updates the body's
   /// bounds.
@@ -72,6 +73,8 @@ class Neighbourhood {
   double allowed_share(std::size_t v, const Vec3& displacement) const;
   /// The point nearest to `wanted` (metres) that the bound of vertex v allows.
   Vec3 clipped(std::size_t v, const Vec3& wanted) const;
+  /// Share in [0, 1] of the path of vertex v that the body's bounds allow; 1 without bounds.
+  double allowed_share_beside_body(std::size_t v, const Vec3& from, const Vec3& to);
   /// Where vertex v comes on its path within the body's bounds; `to` without bounds.
   Vec3 reached_beside_body(std::size_t v, const Vec3& from, const Vec3& to);
   /// Lets the pairs of some vertices push nothing: per vertex, not 0 for those.

@@ -387,8 +387,9 @@ RelaxReport Relaxation::run(const RelaxWatcher& watcher) {
       if (report.converged) break;
       if (seams.is_stuck(i, forces_.open())) {
         if (seams.passes() || options_.passing_iterations == 0) break;
+        report.held = {state(), forces_.open()};
         seams.begin_passing(i, forces_.open());
-        forces_.pass_through_cloth();
+        forces_.pass_through_cloth(options_.passes_body);
       }
     }
     const Untangling untangling = untangle(i);

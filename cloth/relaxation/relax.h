@@ -38,6 +38,7 @@ struct RelaxOptions : ForceOptions {
   /// Iterations over which seams that cloth holds apart close through that cloth. 0: they stay
   /// open.
   int passing_iterations = 0;
+  bool passes_body = false;  ///< whether they then close through the body, too
   /// Factors on the bending stiffness at the first iteration and at the last one (of the closing,
   /// where seams close). Far above 1, panels stay smooth and seams do not fold onto themselves.
   double bending_from = 1;
@@ -58,6 +59,12 @@ struct RelaxOptions : ForceOptions {
   int patience = 0;      ///< iterations without progress toward rest that end a run; 0: none do
 };
 
+/// Where the cloth stood when no seam closed any more, before they closed through what held them.
+struct HeldSeams {
+  std::vector<Vec3> nodes;   ///< metres; empty: all seams closed
+  std::vector<double> open;  ///< per node, as RelaxReport's
+};
+
 struct RelaxReport {
   int iterations = 0;
   int searches = 0;  ///< for near cloth
@@ -66,6 +73,7 @@ struct RelaxReport {
   bool converged = false;
   /// Share of their width by which the seams stand open at each node; empty: they are closed.
   std::vector<double> open;
+  HeldSeams held;
   Residual residual;
   WarmStart warm_start;  ///< anchors and multipliers at the end
   /// Metres, per node, that it keeps from the body beyond the model's offset. It is more than 0

@@ -8,6 +8,7 @@
 
 #include "cloth/scene/collider.h"
 #include "geometry/distance_grid.h"
+#include "geometry/intersections.h"
 #include "tests/cloth/panels.h"
 #include "tests/pattern/samples.h"
 #include "tests/support/shapes.h"
@@ -100,6 +101,39 @@ TEST(Dress, TheSeamsOfATubeCutTooSmallAreTight) {
   EXPECT_NEAR(tight[0].missing + tight[1].missing, girth - 0.47, 0.001);
   EXPECT_NEAR(tight[0].tension, 200 * (girth / 0.47 - 1), 2);
   EXPECT_TRUE(tight_on_a_tube(0.58).empty());  // 10 % of stretch are worn
+}
+
+// Two panels whose seams stand on either side of a wall of 20 cm.
+TEST(Dress, WhatTheBodyHoldsApartStaysOpenAndClearOfIt) {
+  constexpr int columns = 8, rows = 8;
+  const TriangleMesh wall = test::box({-1, 0, -0.1}, {1, 2, 0.1});
+  const Collider body(wall);
+  PanelMesh garment;
+  for (const double side : {1, -1}) {
+    test::add_panel(
+        garment, side > 0 ? "front" : "back", test::grid(0.1, 0.15, columns, rows),
+        [&](const Vec2& p) { return Vec3(side * (p.x() - 0.05), 1 + p.y(), side * 0.16); });
+  }
+  for (const std::size_t from : {0, 1}) {
+    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
+                                       test::side(garment.panels[from], columns, rows, true),
+                                       test::side(garment.panels[1 - from], columns, rows, false)));
+  }
+  Scene scene;
+  scene.collider = &body;
+  scene.gravity = Vec3::Zero();
+  DressOptions options;
+  options.max_iterations = 2000;
+  const DressResult result = dress(garment, scene, options);
+  EXPECT_TRUE(intersections({result.nodes, result.triangles}, wall).empty());
+  const std::vector<Vec3> points = material_points(garment, result);
+  for (const MeshedSeam& seam : garment.seams) {
+    double gap = 0;
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      gap = std::max(gap, (points[seam.a[i]] - points[seam.b[i]]).norm());
+    }
+    EXPECT_GE(gap, 0.2) << seam.name;
+  }
 }
 
 /// A sheet beside the body, 3 cm above the floor.

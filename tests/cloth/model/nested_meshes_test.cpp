@@ -124,6 +124,26 @@ TEST(Levels, RefiningKeepsTheSurface) {
   EXPECT_TRUE(self_intersections(after).empty());
 }
 
+TEST(Levels, SeamsLeftOpenAreOpenOnEveryLevel) {
+  PanelMesh finest = bag(2);
+  std::vector<PanelMesh> meshes = {finest, coarsen(finest), coarsen(coarsen(finest))};
+  const MeshedSeam& seam = meshes.back().seams.front();
+  ASSERT_GT(seam.a.size(), 3U);
+  std::vector<char> unsewn(meshes.back().flat.size(), 0);
+  for (const std::size_t i : {0, 1}) unsewn[seam.a[i]] = unsewn[seam.b[i]] = 1;
+  leave_open(meshes, unsewn);
+  // Open from the seam's start to before the third point of the coarsest mesh.
+  std::size_t open = 2;
+  for (std::size_t depth = 3; depth-- > 0; open *= 2) {
+    const MeshedSeam& here = meshes[depth].seams.front();
+    const GarmentModel model = compile(meshes[depth], {}, meshes[depth].placed);
+    for (std::size_t i = 0; i < here.a.size(); ++i) {
+      EXPECT_EQ(model.node_of_point[here.a[i]] != model.node_of_point[here.b[i]], i < open)
+          << depth << ' ' << i;
+    }
+  }
+}
+
 TEST(Levels, MovedPanelsAreMovedOnEveryLevel) {
   PanelMesh fine = bag(1);
   const PanelMesh coarse = coarsen(fine);

@@ -225,6 +225,55 @@ TEST(Relax, SeamsCloseAroundABody) {
   }
 }
 
+/// The seams of two panels of 10 cm are closed around a body between them.
+struct NarrowPanels {
+  explicit NarrowPanels(const TriangleMesh& between, bool passes_body)
+      : mesh(between), collider(between) {
+    const PanelMesh garment = around_cylinder(0.1, 8, 8);
+    Scene scene;
+    scene.collider = &collider;
+    model = compile(garment, scene, garment.placed);
+    nodes = model.start;
+    RelaxOptions options = sewing();
+    options.barrier = true;
+    options.passing_iterations = 1000;
+    options.passes_body = passes_body;
+    report = relax(model, options, nodes);
+  }
+  std::size_t crossings(const std::vector<Vec3>& at, const std::vector<double>& open) const {
+    return intersections({point_positions(model, at, open), model.triangles}, mesh).size();
+  }
+
+  TriangleMesh mesh;
+  Collider collider;
+  GarmentModel model;
+  std::vector<Vec3> nodes;
+  RelaxReport report;
+};
+
+TEST(Relax, FarTooNarrowPanelsCloseAroundABodyAndClearOfIt) {
+  // Their girth is a third of the cylinder's.
+  const NarrowPanels panels(test::closed_tube(0.1, 0.1, 0.5, 100), false);
+  EXPECT_TRUE(panels.report.converged);
+  EXPECT_EQ(panels.crossings(panels.nodes, {}), 0U);
+}
+
+TEST(Relax, SeamsOnEitherSideOfAWallStayOpenOrPassItAsAsked) {
+  const TriangleMesh wall = test::box({-1, 0, -0.1}, {1, 0.6, 0.1});
+  const NarrowPanels stopped(wall, false);
+  EXPECT_FALSE(stopped.report.converged);
+  const std::vector<double>& open = stopped.report.open;
+  ASSERT_EQ(open.size(), stopped.nodes.size());
+  EXPECT_EQ(stopped.crossings(stopped.nodes, open), 0U);
+  // They began 32 cm apart.
+  EXPECT_GE(*std::ranges::max_element(open), 0.2 / 0.32);
+
+  const NarrowPanels passed(wall, true);
+  EXPECT_TRUE(passed.report.converged);
+  ASSERT_EQ(passed.report.held.nodes.size(), passed.nodes.size());
+  EXPECT_EQ(passed.crossings(passed.report.held.nodes, passed.report.held.open), 0U);
+}
+
 TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
   const PanelMesh garment = around_cylinder(0.36, 8, 4);
   const GarmentModel model = compile(garment, {}, garment.placed);
