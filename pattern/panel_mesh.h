@@ -88,6 +88,11 @@ struct PanelMesh {
   double edge_length = 0;  ///< metres, the triangle edges that were asked for; 0: not known
 };
 
+/// Whether the seams at a material point are sewn, as far as it is on one.
+inline bool is_sewn(const PanelMesh& garment, int point) {
+  return garment.unsewn.empty() || garment.unsewn[point] == 0;
+}
+
 /// The material points at all cut-outs.
 inline std::set<int> points_at_cut_outs(const PanelMesh& garment) {
   std::set<int> points;

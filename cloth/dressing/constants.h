@@ -119,7 +119,7 @@ inline constexpr double slid_off_fall = 0.06;
 inline constexpr double fallen_off_drop = 0.6;
 
 /// Pairs of triangles that may still intersect on the coarsest mesh for the garment to be brought
-/// to rest. They count in the cloth, and with a body that it was sewn through. What crosses more
+/// to rest. They count in the cloth, and with a body that held seams apart. What crosses more
 /// ends `intersecting` at once. Of 61 garments that took five attempts and more, three were dressed
 /// in the end.
 inline constexpr std::size_t max_hopeful_intersections = 20;

@@ -208,7 +208,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
     if (const std::optional<PanelMesh> held = hold_what_slips(garment)) {
       journal.begin_attempt(journal.attempt() + 1);
       SettledGarment anew = put_on(*held, scene, result.body_offset, journal);
-      if (anew.is_in_place && anew.is_clear) settled = std::move(anew);
+      if (anew.is_in_place && anew.is_clear && !anew.was_held_apart) settled = std::move(anew);
     }
   }
   const std::vector<PanelMesh>& meshes = settled.meshes;

@@ -7,7 +7,6 @@
 
 #include "cloth/dressing/constants.h"
 #include "cloth/dressing/stages.h"
-#include "cloth/judge/constants.h"
 #include "cloth/scene/collider.h"
 #include "cloth/start/panel_parts.h"
 #include "geometry/body/bones.h"
@@ -183,11 +182,18 @@ class Sewing {
       Staged closed =
           close_seams(enlarged(levels.closing, closing.size), std::move(start), closing, journal_);
       if (closing.size == 1 && held.open.empty()) held = std::move(closed.held);
+      if (closing.size > 1 && !closed.report.converged) {
+        journal_.show_through({});
+        continue;
+      }
       put_on(levels, std::move(closed), closing);
       if (once) return;
       if (levels.closing.model.nodes > max_resewn_nodes) break;
     }
-    if (sewn_.crosses_body && !held.open.empty()) leave_seams_open(levels.closing, held);
+    // Fewer crossings come out while the garment settles.
+    if (body_crossings_ > max_hopeful_intersections && !held.open.empty()) {
+      leave_seams_open(levels.closing, held);
+    }
   }
 
   /// Lets cloth whose seams are closed come clear of itself, and takes it down with the arms.
@@ -209,17 +215,18 @@ class Sewing {
     if (staged.report.converged) staged = shrink(levels.worn, std::move(staged), closing, journal_);
     sewn_.is_clear = staged.report.converged;
     sewn_.state = std::move(staged.state);
-    sewn_.crosses_body = count_body_intersections(levels.worn, sewn_.state) > 0;
+    body_crossings_ = count_body_intersections(levels.worn, sewn_.state);
+    sewn_.crosses_body = body_crossings_ > 0;
   }
 
-  /// Goes on from seams that the body held apart, with those open.
+  /// Goes on from seams that were held apart, with those open, where that crosses less of the body.
   void leave_seams_open(const Level& level, const HeldSeams& held) {
     const std::vector<Vec3> points = point_positions(level.model, held.nodes, held.open);
     PanelMesh open = mesh_;
     open.unsewn.assign(points.size(), 0);
     for (const MeshedSeam& seam : mesh_.seams) {
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        if ((points[seam.a[i]] - points[seam.b[i]]).norm() > sewn_gap) {
+        if (points[seam.a[i]] != points[seam.b[i]]) {
           open.unsewn[seam.a[i]] = open.unsewn[seam.b[i]] = 1;
         }
       }
@@ -243,8 +250,14 @@ class Sewing {
     }
     journal_.begin_attempt(journal_.attempt() + 1);
     if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
+    Sewn closed = sewn_;
+    const std::size_t crossings_closed = body_crossings_;
     put_on(levels, {std::move(state), {}}, closing_attempts.front());
-    sewn_.unsewn = std::move(open.unsewn);
+    if (body_crossings_ < crossings_closed) {
+      sewn_.unsewn = std::move(open.unsewn);
+    } else {
+      sewn_ = std::move(closed);
+    }
   }
 
   const PanelMesh& mesh_;
@@ -256,6 +269,7 @@ class Sewing {
   std::optional<RaisedScene> raised_;
   std::vector<Vec3> starts_at_;  // metres, per material point, with the arms raised
   Sewn sewn_;
+  std::size_t body_crossings_ = 0;  // of sewn_
 };
 
 }  // namespace

@@ -32,7 +32,9 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 
 /// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
 /// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
-/// too, until no seam closes any more; then seams close through the cloth that holds them apart.
+/// too, until no seam closes any more; then seams close through the cloth that holds them apart. In
+/// its own size the cloth then closes through the body, too. Larger cloth stays clear of the body,
+/// and `converged` says whether its seams closed.
 /// `level` is that of position().
 Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal);
 

@@ -22,8 +22,7 @@ std::vector<int> weld(const PanelMesh& garment, int& nodes) {
   DisjointSets sewn(garment.flat.size());
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i < seam.a.size(); ++i) {
-      if (!garment.unsewn.empty() && garment.unsewn[seam.a[i]] != 0) continue;
-      sewn.join(seam.a[i], seam.b[i]);
+      if (is_sewn(garment, seam.a[i])) sewn.join(seam.a[i], seam.b[i]);
     }
   }
   std::vector<int> node(garment.flat.size(), -1);

@@ -10,6 +10,7 @@ GatheredEdges gathered_edges(const PanelMesh& garment) {
   GatheredEdges shares;
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
+      if (!is_sewn(garment, seam.a[i]) || !is_sewn(garment, seam.a[i + 1])) continue;
       const std::pair<int, int> a = std::minmax(seam.a[i], seam.a[i + 1]);
       const std::pair<int, int> b = std::minmax(seam.b[i], seam.b[i + 1]);
       const double length_a = (garment.flat[a.first] - garment.flat[a.second]).norm();
@@ -31,6 +32,7 @@ GatheredEdges elastic_edges(const PanelMesh& garment) {
   }
   for (const MeshedSeam& seam : garment.seams) {
     for (std::size_t i = 0; i + 1 < seam.a.size(); ++i) {
+      if (!is_sewn(garment, seam.a[i]) || !is_sewn(garment, seam.a[i + 1])) continue;
       const std::pair<int, int> a = std::minmax(seam.a[i], seam.a[i + 1]);
       const std::pair<int, int> b = std::minmax(seam.b[i], seam.b[i + 1]);
       const auto on_a = shares.find(a);

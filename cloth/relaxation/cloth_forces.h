@@ -128,7 +128,12 @@ class ClothForces {
   /// limits, except those whose multiplier is at its largest.
   bool update_multipliers();
   /// Metres that node n keeps from the body beyond the model's offset.
-  double extra_offset(int n) const { return neighbourhood_->extra_offset(n); }
+  double extra_offset(int n) const {
+    double most = 0;
+    for (const int v : vertices_->of_node[n])
+      most = std::max(most, neighbourhood_->extra_offset(v));
+    return most;
+  }
   /// N/m: a bound of the cloth's stiffness in its plane at node n, limits included.
   double stretch_stiffness(std::size_t n) const {
     return model_.stretch_diagonal[n] + limit_stiffness(n);

@@ -35,8 +35,7 @@ struct RelaxOptions : ForceOptions {
   /// seams are closed. 2000 and more keep the panels from tangling while they close [measured on
   /// two garments].
   int closing_iterations = 0;
-  /// Iterations over which seams that cloth holds apart close through that cloth. 0: they stay
-  /// open.
+  /// Iterations over which seams that are held apart close through cloth. 0: they stay open.
   int passing_iterations = 0;
   bool passes_body = false;  ///< whether they then close through the body, too
   /// Factors on the bending stiffness at the first iteration and at the last one (of the closing,

@@ -57,6 +57,21 @@ std::vector<int> dressed_nodes(const DressedGarment& dressed, const GarmentModel
   return of_model;
 }
 
+/// Leaves the seams open that stand open in the dressed garment.
+void leave_open_as_dressed(PanelMesh& garment, const DressedGarment& dressed) {
+  std::vector<int> node_of_point(garment.flat.size(), -1);
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) node_of_point[garment.triangles[t][i]] = dressed.triangles[t][i];
+  }
+  garment.unsewn.assign(garment.flat.size(), 0);
+  for (const MeshedSeam& seam : garment.seams) {
+    for (std::size_t i = 0; i < seam.a.size(); ++i) {
+      if (node_of_point[seam.a[i]] == node_of_point[seam.b[i]]) continue;
+      garment.unsewn[seam.a[i]] = garment.unsewn[seam.b[i]] = 1;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> meshed_garments_of(const fs::path& dressed, const DressReport& report) {
@@ -71,6 +86,7 @@ Loads worn_loads(const DressedGarment& dressed, const fs::path& meshed, const Dr
                 "give the one that was dressed");
   }
   garment.attachments.clear();
+  leave_open_as_dressed(garment, dressed);
   const Scene scene = scene_of(report, garment);
   const GarmentModel model = compile(garment, scene, garment.placed);
   const std::vector<int> of_model = dressed_nodes(dressed, model, meshed);

@@ -81,8 +81,10 @@ TEST(Bands, WithoutElasticsThereIsNoTerm) {
   EXPECT_TRUE(ElasticForces(model, false).empty());
 }
 
-TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
-  constexpr int columns = 5, rows = 4;
+constexpr int columns = 5, rows = 4;
+
+/// Two panels that are sewn to each other, with an elastic along the seam.
+PanelMesh drawn_up_at_a_seam() {
   PanelMesh garment;
   for (const double y : {0.0, 0.1}) {
     test::add_panel(garment, "panel", test::grid(0.05, 0.04, columns, rows),
@@ -93,6 +95,23 @@ TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
   for (int& p : bottom) p += garment.panels[1].first_point;
   garment.seams = {test::seam("waist", top, bottom)};
   garment.elastics = {{"panel.2", top, 0.5, 20}};
+  return garment;
+}
+
+TEST(Bands, AlongASeamLeftOpenTheyDrawUpTheirOwnSideOnly) {
+  PanelMesh garment = drawn_up_at_a_seam();
+  const MeshedSeam& seam = garment.seams.front();
+  garment.unsewn.assign(garment.flat.size(), 0);
+  garment.unsewn[seam.a[0]] = garment.unsewn[seam.b[0]] = 1;
+  EXPECT_EQ(elastic_edges(garment).size(), 2u * columns - 1);
+  const GarmentModel model = compile(garment, {}, garment.placed);
+  EXPECT_EQ(model.nodes, 2 * (columns + 1) * (rows + 1) - columns);
+  EXPECT_NEAR(model.elastics[0].cloth, 1000 * 0.01, 1e-9);
+  EXPECT_NEAR(model.elastics[1].cloth, 2 * 1000 * 0.01, 1e-9);
+}
+
+TEST(Bands, ClothAlongThemIsFreeOnBothSidesOfASeam) {
+  const PanelMesh garment = drawn_up_at_a_seam();
   EXPECT_EQ(elastic_edges(garment).size(), 2u * columns);
   const GarmentModel model = compile(garment, {}, garment.placed);
   int free = 0;

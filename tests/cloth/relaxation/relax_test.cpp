@@ -288,12 +288,14 @@ TEST(Relax, AnOpenSeamIsWhereItWasPlaced) {
   EXPECT_NEAR((half[seam.a[2]] - half[seam.b[2]]).norm(), 0.16, 1e-12);
 }
 
-TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
+class SameBits : public testing::TestWithParam<BodyContactTerm> {};
+
+TEST_P(SameBits, ForAnyNumberOfThreads) {
   const Collider body{test::closed_tube(0.1, 0.1, 0.5, 100)};
   const PanelMesh garment = around_cylinder(0.36, 48, 24);
   Scene scene;
   scene.collider = &body;
-  scene.body_contact = BodyContactTerm::nodes;
+  scene.body_contact = GetParam();
   const GarmentModel model = compile(garment, scene, garment.placed);
   ASSERT_GT(model.nodes, 2048);  // several chunks
   RelaxOptions closing = sewing();
@@ -314,6 +316,9 @@ TEST(Relax, TheSameBitsForAnyNumberOfThreads) {
   EXPECT_TRUE(one == run(2));
   EXPECT_FALSE(one == model.start);
 }
+
+INSTANTIATE_TEST_SUITE_P(Relax, SameBits,
+                         testing::Values(BodyContactTerm::nodes, BodyContactTerm::faces));
 
 TEST(Relax, AtRestItStaysAtRest) {
   // A flat sheet without weight has no force.
