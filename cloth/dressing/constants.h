@@ -63,8 +63,8 @@ inline constexpr double closing_stretch = 1000;
 /// N/m: cloth is at least so stiff in shear while its seams close.
 inline constexpr double closing_shear = 200;
 
-/// Metres: edges of a mesh on which seams are sure to close. A coarser one is tried once, where the
-/// next finer one is small enough to sew on.
+/// Metres: edges of a mesh on which seams are sure to close, within bounds of the body. A coarser
+/// one is tried once, where the next finer one is small enough to sew on.
 inline constexpr double sewing_edge = 0.05;
 
 /// Nodes of the coarsest mesh from which on panels are sewn only once: again takes minutes.

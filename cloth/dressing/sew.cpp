@@ -179,8 +179,8 @@ class Sewing {
       if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
       State start;
       start.nodes = levels.closing.model.start;
-      Staged closed =
-          close_seams(enlarged(levels.closing, closing.size), std::move(start), closing, journal_);
+      Staged closed = close_seams(enlarged(levels.closing, closing.size), std::move(start), closing,
+                                  mesh_.edge_length <= sewing_edge, journal_);
       if (closing.size == 1 && held.open.empty()) held = std::move(closed.held);
       if (closing.size > 1 && !closed.report.converged) {
         journal_.show_through({});

@@ -134,7 +134,8 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
   return positioned;
 }
 
-Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal) {
+Staged close_seams(const Level& level, State state, const Closing& closing, bool heeds_body,
+                   Journal& journal) {
   RelaxOptions options = sewing_options(level, closing);
   const double across =
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
@@ -143,6 +144,7 @@ Staged close_seams(const Level& level, State state, const Closing& closing, Jour
   options.passes_body = closing.size == 1;
   options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
+  options.bounded_by_body = heeds_body;
   options.momentum = closing_momentum;
   return run("close_seams", level, with_slack_gathers(level), std::move(state), options,
              progress_when_sewn(level, journal), journal);

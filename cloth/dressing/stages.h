@@ -34,9 +34,11 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 /// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
 /// too, until no seam closes any more; then seams close through the cloth that holds them apart. In
 /// its own size the cloth then closes through the body, too. Larger cloth stays clear of the body,
-/// and `converged` says whether its seams closed.
-/// `level` is that of position().
-Staged close_seams(const Level& level, State state, const Closing& closing, Journal& journal);
+/// and `converged` says whether its seams closed. Unless it `heeds_body`, only pushes keep it off
+/// the body: on a very coarse mesh bounds leave seams too little way. `level` is that of
+/// position().
+Staged close_seams(const Level& level, State state, const Closing& closing, bool heeds_body,
+                   Journal& journal);
 
 /// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
 /// bending stiffness. It is drawn to the skin as while its seams closed. The report's `converged`

@@ -57,10 +57,11 @@ struct ForceOptions {
   /// Keeps every node within its bound of the last search, so that surfaces that are apart stay
   /// apart. The run must begin without intersections: a tangle would be locked in.
   ///
-  /// With BodyContactTerm::faces, no triangle that is clear of the body comes to
+  /// With BodyContactTerm::faces and closed seams, no triangle that is clear of the body comes to
   /// meet it. A triangle that meets it can come out.
   bool bounded = false;
-  /// Keeps triangles off the body as `bounded` does, where cloth may pass through cloth.
+  /// Keeps triangles off the body as `bounded` does, where cloth may pass through cloth, and where
+  /// seams stand open.
   bool bounded_by_body = false;
   /// Moves cloth out of the body at once wherever it comes into it (BodyBarrier), for seams that
   /// close pull it through any push.

@@ -43,7 +43,7 @@ Neighbourhood::Neighbourhood(const GarmentModel& model, const ForceOptions& opti
       near_body_(vertices.count, 0),
       approach_bound_(vertices.spread(approach_bounds(model))),
       safe_balls_(vertices.count, Vec4{}) {
-  if (body_bounds && (options.bounded || options.bounded_by_body) &&
+  if (body_bounds && ((options.bounded && !vertices.are_points) || options.bounded_by_body) &&
       touches_body_exactly(model.scene)) {
     body_bounds_ =
         std::make_unique<BodyBounds>(*model.scene.collider, vertices.triangles, vertices.count);

@@ -20,7 +20,7 @@ using LongUnsewable = Unsewable;
 /// A tube of 50 cm for a waist of 71 and hips of 98.
 TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   const fs::path garment = band([](Json& panels, Json&) {
-    for (Json& panel : panels) rectangle(panel, 25, 5, 21);
+    for (Json& panel : panels) rectangle(panel, 25, 9, 17);
   });
   for (const std::string& method : both_methods) {
     const Ending ending = dress(mannequin(), garment, method);

@@ -238,6 +238,7 @@ struct NarrowPanels {
     options.barrier = true;
     options.passing_iterations = 1000;
     options.passes_body = passes_body;
+    options.bounded_by_body = true;
     report = relax(model, options, nodes);
   }
   std::size_t crossings(const std::vector<Vec3>& at, const std::vector<double>& open) const {
@@ -301,6 +302,7 @@ TEST_P(SameBits, ForAnyNumberOfThreads) {
   RelaxOptions closing = sewing();
   closing.closing_iterations = 150;
   closing.max_iterations = 400;
+  closing.bounded_by_body = true;
   RelaxOptions falling;
   falling.max_iterations = 200;
   const auto run = [&](int threads) {
