@@ -91,6 +91,7 @@ Loads worn_loads(const DressedGarment& dressed, const fs::path& meshed, const Dr
   const GarmentModel model = compile(garment, scene, garment.placed);
   const std::vector<int> of_model = dressed_nodes(dressed, model, meshed);
   std::vector<Vec3> nodes;
+  nodes.reserve(of_model.size());
   for (const int node : of_model) nodes.push_back(dressed.points[node]);
   Loads loads = measure_loads(model, nodes, skin, report.body_offset + contact_margin);
   std::vector<NodeLoad> in_order(nodes.size());
