@@ -85,6 +85,15 @@ inline MeshedSeam seam(const std::string& name, std::vector<int> a, std::vector<
   return sewn;
 }
 
+/// The two side seams of a front and a back, panels 0 and 1, each grid(…, columns, rows).
+inline std::vector<MeshedSeam> side_seams(const PanelMesh& garment, int columns, int rows) {
+  const auto side_of = [&](int panel, bool right) {
+    return side(garment.panels[panel], columns, rows, right);
+  };
+  return {seam("left", side_of(0, true), side_of(1, false)),
+          seam("right", side_of(1, true), side_of(0, false))};
+}
+
 /// Two squares of 10 cm side by side, 1 cm apart, sewn together between them.
 inline PanelMesh sewn_pair(int columns = 5) {
   PanelMesh garment;

@@ -125,6 +125,7 @@ TEST_F(HardStarts, APanelBehindTheBodyDoesNotSew) {
   dress(3);
   // The body holds its seams apart.
   EXPECT_EQ(report["verdict"], "unsewable");
+  EXPECT_EQ(report["intersections"]["body"], 0);
   EXPECT_GT(report["seams"]["max_gap_mm"], 100);
 }
 
@@ -136,6 +137,7 @@ TEST_F(HardStarts, FrontsAndBacksOnOneSideAreNoShirt) {
   dress(3);
   // The body holds the sides apart.
   EXPECT_EQ(report["verdict"], "unsewable");
+  EXPECT_EQ(report["intersections"]["body"], 0);
 }
 
 TEST_F(HardStarts, SleevesStatedForTheWrongArmsAreSewnByTheirSeams) {

@@ -46,6 +46,23 @@ TEST_F(Unsewable, ABandThreeSizesSmallLacksCentimetres) {
   }
 }
 
+/// The same tube, twice as high, may roll up into a fold: what it lacks is told all the same.
+TEST_F(Unsewable, AHighBandThreeSizesSmallIsToldTooSmallThoughItRollsUp) {
+  const fs::path garment = band([](Json& panels, Json&) {
+    for (Json& panel : panels) rectangle(panel, 25, 5, 21);
+  });
+  const Ending ending = dress(mannequin(), garment, "relaxation");
+  EXPECT_TRUE(ending.outcome == "too_tight" || ending.outcome == "misplaced") << ending.said;
+  EXPECT_EQ(ending.report["intersections"]["body"], 0);
+  EXPECT_EQ(ending.report["intersections"]["self"], 0);
+  EXPECT_EQ(ending.report["fit"]["verdict"], "too_small");
+  double missing = 0;
+  for (const Json& level : ending.report["fit"]["levels"]) {
+    missing = std::max(missing, level["missing_cm"].get<double>());
+  }
+  EXPECT_GT(missing, 71 - 50 - 1);  // the waist's, or more
+}
+
 /// Armholes sewn to the neck's other side can meet through the neck only.
 TEST_F(LongUnsewable, AStitchThroughTheBody) {
   Json tshirt = sample("tshirt");

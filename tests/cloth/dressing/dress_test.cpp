@@ -77,11 +77,7 @@ std::vector<TightSeam> tight_on_a_tube(double around) {
                       return Vec3(radius * std::sin(angle), 1 + p.y(), radius * std::cos(angle));
                     });
   }
-  for (const std::size_t from : {0, 1}) {
-    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
-                                       test::side(garment.panels[from], columns, rows, true),
-                                       test::side(garment.panels[1 - from], columns, rows, false)));
-  }
+  garment.seams = test::side_seams(garment, columns, rows);
   Scene scene;
   scene.collider = &body;
   scene.body_contact = BodyContactTerm::nodes;
@@ -114,11 +110,7 @@ TEST(Dress, WhatTheBodyHoldsApartStaysOpenAndClearOfIt) {
         garment, side > 0 ? "front" : "back", test::grid(0.1, 0.15, columns, rows),
         [&](const Vec2& p) { return Vec3(side * (p.x() - 0.05), 1 + p.y(), side * 0.16); });
   }
-  for (const std::size_t from : {0, 1}) {
-    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
-                                       test::side(garment.panels[from], columns, rows, true),
-                                       test::side(garment.panels[1 - from], columns, rows, false)));
-  }
+  garment.seams = test::side_seams(garment, columns, rows);
   Scene scene;
   scene.collider = &body;
   scene.gravity = Vec3::Zero();

@@ -55,11 +55,7 @@ TEST(Shrink, ClothFarTooSmallForTheBodyStaysAroundIt) {
                       return Vec3(0.11 * std::sin(angle), 1 + p.y(), 0.11 * std::cos(angle));
                     });
   }
-  for (const std::size_t from : {0, 1}) {
-    garment.seams.push_back(test::seam(from == 0 ? "left" : "right",
-                                       test::side(garment.panels[from], columns, rows, true),
-                                       test::side(garment.panels[1 - from], columns, rows, false)));
-  }
+  garment.seams = test::side_seams(garment, columns, rows);
   Scene scene;
   scene.collider = &collider;
   const Level level = compiled_level(garment, 0, closing_scene(scene), garment.placed, 0.002);

@@ -158,11 +158,7 @@ PanelMesh around_cylinder(double width, int columns, int rows) {
                   [&](const Vec2& p) { return Vec3(p.x() - width / 2, 0.2 + p.y(), 0.16); });
   test::add_panel(garment, "back", mesh,
                   [&](const Vec2& p) { return Vec3(width / 2 - p.x(), 0.2 + p.y(), -0.16); });
-  const auto side_of = [&](int panel, bool right) {
-    return test::side(garment.panels[panel], columns, rows, right);
-  };
-  garment.seams = {test::seam("left", side_of(0, true), side_of(1, false)),
-                   test::seam("right", side_of(1, true), side_of(0, false))};
+  garment.seams = test::side_seams(garment, columns, rows);
   return garment;
 }
 
