@@ -137,6 +137,7 @@ class Sewing {
         scene_(scene),
         resting_offset_(resting_offset),
         journal_(journal),
+        attempt_(journal.attempt()),
         raise_(arm_raise(mesh, scene)) {
     if (raise_) raised_.emplace(scene, *raise_);
   }
@@ -145,8 +146,8 @@ class Sewing {
     PanelMesh turned;
     if (raise_) turned = with_sleeves_raised(mesh_, *scene_.skeleton, *raise_);
     if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
-    Positioned positioned = position(raise_ ? turned : mesh_, depth_,
-                                     raise_ ? raised_->scene : scene_, resting_offset_, journal_);
+    Positioned positioned =
+        position(raise_ ? turned : mesh_, depth_, around(), resting_offset_, journal_);
     sewn_.placement = std::move(positioned.placement);
     if (mesh_.seams.empty()) {
       sewn_.state.nodes = positioned.level.model.start;
@@ -164,42 +165,96 @@ class Sewing {
   }
 
  private:
+  /// The scene in which seams close.
+  const Scene& around() const { return raise_ ? raised_->scene : scene_; }
+
+  Level closing_level(const PanelMesh& mesh, const std::vector<Vec3>& starts_at) const {
+    return compiled_level(mesh, depth_, closing_scene(around()), starts_at, resting_offset_);
+  }
+
   Level worn_level(const PanelMesh& mesh) const {
     return compiled_level(mesh, depth_, closing_scene(scene_), sewn_.placement.placed,
                           resting_offset_);
   }
 
   void close_in_some_way(const SewingLevels& levels, bool once) {
-    int attempt = journal_.attempt();
-    HeldSeams held;
+    std::optional<HeldApart> held;
     for (const Closing& closing : closing_attempts) {
-      // Stiffer cloth helps where it came out tangled, larger cloth where it crosses the body.
-      if (closing.size > 1 ? !sewn_.crosses_body : sewn_.is_clear) continue;
-      journal_.begin_attempt(attempt++);
-      if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
-      State start;
-      start.nodes = levels.closing.model.start;
-      Staged closed = close_seams(enlarged(levels.closing, closing.size), std::move(start), closing,
-                                  mesh_.edge_length <= sewing_edge, journal_);
-      if (closing.size == 1 && held.open.empty()) held = std::move(closed.held);
-      if (closing.size > 1 && !closed.report.converged) {
-        journal_.show_through({});
-        continue;
+      begin_attempt();
+      Staged closed = close(levels.closing, closing, {});
+      const bool is_first = !held;
+      if (is_first && !closed.held.open.empty()) {
+        held = HeldApart{std::move(closed.held), starts_at_, {}};
       }
-      put_on(levels, std::move(closed), closing);
+      put_on(levels, std::move(closed), closing.pull, {});
       if (once) return;
       if (levels.closing.model.nodes > max_resewn_nodes) break;
+      if (is_first && held && !is_done()) close_widened(levels, *held);
+      if (sewn_.is_clear) break;
     }
     // Fewer crossings come out while the garment settles.
-    if (body_crossings_ > max_hopeful_intersections && !held.open.empty()) {
-      leave_seams_open(levels.closing, held);
+    if (body_crossings_ > max_hopeful_intersections && held) leave_seams_open(*held);
+  }
+
+  bool is_done() const { return sewn_.is_clear && !sewn_.crosses_body; }
+
+  void begin_attempt() {
+    journal_.begin_attempt(attempt_++);
+    if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
+  }
+
+  Staged close(const Level& level, const Closing& closing, const Widening& wide) {
+    State start;
+    start.nodes = level.model.start;
+    return close_seams(widened(level, wide), std::move(start), closing,
+                       mesh_.edge_length <= sewing_edge, journal_);
+  }
+
+  /// Where seams stood when they did not close any more, of panels that had started so.
+  struct HeldApart {
+    HeldSeams seams;
+    std::vector<Vec3> starts_at;  ///< metres, per material point
+    Widening wide;
+  };
+
+  /// Sews with those panels wider whose seams the body held apart. `held` is then the attempt that
+  /// left the fewest of them open.
+  void close_widened(const SewingLevels& levels, HeldApart& held) {
+    if (around().skeleton == nullptr) return;
+    const std::vector<int> panel_of = panel_of_points(mesh_);
+    std::vector<WidePanel> panels;
+    std::vector<char> open = held_points(levels.closing.model, held.seams);
+    auto fewest = std::ranges::count(open, 1);
+    for (int i = 0; i < wide_attempts; ++i) {
+      widen(mesh_, starts_at_, *around().skeleton, open, widening, panels);
+      if (std::ranges::all_of(panels, [](const WidePanel& one) { return one.factor == 1; })) break;
+      HeldApart trial{{}, starts_at_, widening_of(levels.closing, panels)};
+      for (std::size_t p = 0; p < trial.starts_at.size(); ++p) {
+        trial.starts_at[p] = panels[panel_of[p]].moved(trial.starts_at[p]);
+      }
+      const SewingLevels widely = {closing_level(mesh_, trial.starts_at), levels.worn};
+      begin_attempt();
+      Closing closing = closing_attempts.front();
+      closing.through_body = false;
+      Staged closed = close(widely.closing, closing, trial.wide);
+      if (closed.report.converged) {
+        put_on_if_better(widely, std::move(closed), trial.wide);
+        break;
+      }
+      const auto count = std::ranges::count(held_points(widely.closing.model, closed.held), 1);
+      open = held_points(widely.closing.model, {closed.state.nodes, closed.open});
+      if (count >= fewest) continue;
+      fewest = count;
+      trial.seams = std::move(closed.held);
+      held = std::move(trial);
     }
+    journal_.show_through({});
   }
 
   /// Lets cloth whose seams are closed come clear of itself, and takes it down with the arms.
-  void put_on(const SewingLevels& levels, Staged staged, const Closing& closing) {
-    const Level large = enlarged(levels.closing, closing.size);
-    staged = untangle(large, std::move(staged.state), closing, journal_);
+  void put_on(const SewingLevels& levels, Staged staged, double pull, const Widening& wide) {
+    const Level large = widened(levels.closing, wide);
+    staged = untangle(large, std::move(staged.state), pull, journal_);
     // A tangle that falls only gets worse.
     if (raise_ && staged.report.converged &&
         is_in_the_way(levels.worn, staged.state.nodes, *raise_)) {
@@ -209,54 +264,62 @@ class Sewing {
     if (raise_) {
       staged.state.nodes = lowered(*raise_, std::move(staged.state.nodes));
       staged.state.warm_start = {};  // friction held it on the raised body
-      staged =
-          untangle(enlarged(levels.worn, closing.size), std::move(staged.state), closing, journal_);
+      staged = untangle(widened(levels.worn, wide), std::move(staged.state), pull, journal_);
     }
-    if (staged.report.converged) staged = shrink(levels.worn, std::move(staged), closing, journal_);
+    if (staged.report.converged) {
+      staged = shrink(levels.worn, std::move(staged), wide, pull, journal_);
+    }
     sewn_.is_clear = staged.report.converged;
     sewn_.state = std::move(staged.state);
     body_crossings_ = count_body_intersections(levels.worn, sewn_.state);
     sewn_.crosses_body = body_crossings_ > 0;
   }
 
-  /// Goes on from seams that were held apart, with those open, where that crosses less of the body.
-  void leave_seams_open(const Level& level, const HeldSeams& held) {
-    const std::vector<Vec3> points = point_positions(level.model, held.nodes, held.open);
-    PanelMesh open = mesh_;
-    open.unsewn.assign(points.size(), 0);
+  /// The same, unless it crosses no less of the body, or itself where it did not before.
+  bool put_on_if_better(const SewingLevels& levels, Staged staged, const Widening& wide) {
+    Sewn before = sewn_;
+    const std::size_t crossings_before = body_crossings_;
+    put_on(levels, std::move(staged), closing_pull, wide);
+    const bool is_better =
+        body_crossings_ < crossings_before && (sewn_.is_clear || !before.is_clear);
+    if (!is_better) {
+      sewn_ = std::move(before);
+      body_crossings_ = crossings_before;
+    }
+    return is_better;
+  }
+
+  /// Per material point, whether the sides of its seams stood apart.
+  std::vector<char> held_points(const GarmentModel& model, const HeldSeams& held) const {
+    const std::vector<Vec3> points = point_positions(model, held.nodes, held.open);
+    // Where several seams meet in one node, they open together.
+    std::vector<char> is_open(model.nodes, 0);
     for (const MeshedSeam& seam : mesh_.seams) {
       for (std::size_t i = 0; i < seam.a.size(); ++i) {
-        if (points[seam.a[i]] != points[seam.b[i]]) {
-          open.unsewn[seam.a[i]] = open.unsewn[seam.b[i]] = 1;
-        }
+        if (points[seam.a[i]] != points[seam.b[i]]) is_open[model.node_of_point[seam.a[i]]] = 1;
       }
     }
-    // Where several seams meet in one node, they open together.
-    std::vector<char> is_open(level.model.nodes, 0);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      if (open.unsewn[p] != 0) is_open[level.model.node_of_point[p]] = 1;
-    }
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      open.unsewn[p] = is_open[level.model.node_of_point[p]];
-    }
-    const SewingLevels levels = {
-        compiled_level(open, depth_, closing_scene(raise_ ? raised_->scene : scene_), starts_at_,
-                       resting_offset_),
-        worn_level(open)};
+    std::vector<char> are_open;
+    are_open.reserve(points.size());
+    for (const int node : model.node_of_point) are_open.push_back(is_open[node]);
+    return are_open;
+  }
+
+  /// Goes on from seams that were held apart, with those open, where that crosses less of the body.
+  void leave_seams_open(const HeldApart& held) {
+    const GarmentModel whole = closing_level(mesh_, held.starts_at).model;
+    PanelMesh open = mesh_;
+    open.unsewn = held_points(whole, held.seams);
+    const SewingLevels levels = {closing_level(open, held.starts_at), worn_level(open)};
+    const std::vector<Vec3> points = point_positions(whole, held.seams.nodes, held.seams.open);
     State state;
     state.nodes.resize(levels.closing.model.nodes);
     for (std::size_t p = 0; p < points.size(); ++p) {
       state.nodes[levels.closing.model.node_of_point[p]] = points[p];
     }
-    journal_.begin_attempt(journal_.attempt() + 1);
-    if (raise_) journal_.show_through([&](const Vec3& p) { return raise_->lowered(p); });
-    Sewn closed = sewn_;
-    const std::size_t crossings_closed = body_crossings_;
-    put_on(levels, {std::move(state), {}}, closing_attempts.front());
-    if (body_crossings_ < crossings_closed) {
+    begin_attempt();
+    if (put_on_if_better(levels, {std::move(state), {}}, held.wide)) {
       sewn_.unsewn = std::move(open.unsewn);
-    } else {
-      sewn_ = std::move(closed);
     }
   }
 
@@ -265,6 +328,7 @@ class Sewing {
   const Scene& scene_;
   double resting_offset_;
   Journal& journal_;
+  int attempt_;
   std::optional<ArmRaise> raise_;
   std::optional<RaisedScene> raised_;
   std::vector<Vec3> starts_at_;  // metres, per material point, with the arms raised

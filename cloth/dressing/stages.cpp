@@ -92,7 +92,8 @@ Staged run_on(const std::string& name, const Level& level, const GarmentModel& m
   RelaxReport report = journal.run(name, *level.mesh, model, options, state.nodes, end);
   state.warm_start = std::move(report.warm_start);
   state.extra_offset = std::move(report.extra_offset);
-  return {std::move(state), journal.stages().back(), std::move(report.held)};
+  return {std::move(state), journal.stages().back(), std::move(report.held),
+          std::move(report.open)};
 }
 
 /// A run in which friction holds the cloth where it first touches.
@@ -141,7 +142,7 @@ Staged close_seams(const Level& level, State state, const Closing& closing, bool
       std::max(1.0, std::sqrt(static_cast<double>(level.mesh->flat.size()) / closing_points));
   options.closing_iterations = static_cast<int>(closing_iterations * across);
   options.passing_iterations = passing_iterations;
-  options.passes_body = closing.size == 1;
+  options.passes_body = closing.through_body;
   options.max_iterations = options.closing_iterations + max_closing_wait + 2 * passing_iterations;
   options.bounded = true;
   options.bounded_by_body = heeds_body;
@@ -150,10 +151,10 @@ Staged close_seams(const Level& level, State state, const Closing& closing, bool
              progress_when_sewn(level, journal), journal);
 }
 
-Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal) {
+Staged untangle(const Level& level, State state, double pull, Journal& journal) {
   Staged staged{std::move(state), {}};
   if (!is_clear_of_itself(level, staged.state)) {
-    RelaxOptions options = sewing_options(level, {untangling_stiffness, closing.pull, 1});
+    RelaxOptions options = sewing_options(level, {untangling_stiffness, pull});
     options.max_iterations = untangling_iterations;
     options.untangles = true;
     options.bounded_by_body = true;
@@ -161,7 +162,7 @@ Staged untangle(const Level& level, State state, const Closing& closing, Journal
                  progress_when_sewn(level, journal), journal);
     if (!staged.report.converged) return staged;
   }
-  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, closing.pull, 1});
+  RelaxOptions options = sewing_options(level, {closing_attempts.front().bending, pull});
   options.max_iterations = softening_iterations;
   options.bending_to = 1;
   options.bounded = true;
@@ -173,21 +174,48 @@ Staged untangle(const Level& level, State state, const Closing& closing, Journal
   return staged;
 }
 
-Level enlarged(Level level, double size) {
-  for (StretchTriangle& triangle : level.model.stretch) {
-    for (double& share : triangle.weft) share /= size;
-    for (double& share : triangle.warp) share /= size;
+Widening widening_of(const Level& level, const std::vector<WidePanel>& panels) {
+  Widening wide(level.model.stretch.size());
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    if (panels[p].factor == 1) continue;
+    const MeshedPanel& panel = level.mesh->panels[p];
+    for (int t = panel.first_triangle; t < panel.first_triangle + panel.triangles; ++t) {
+      const StretchTriangle& s = level.model.stretch[t];
+      Vec2 along = Vec2::Zero();
+      for (int i = 0; i < 3; ++i) {
+        const Vec3& corner = level.placed[level.model.triangles[t][i]];
+        along += panels[p].across.dot(corner) * Vec2(s.weft[i], s.warp[i]);
+      }
+      along.normalize();
+      wide[t] = {panels[p].factor, along.x(), along.y()};
+    }
+  }
+  return wide;
+}
+
+Level widened(Level level, const Widening& wide) {
+  for (std::size_t t = 0; t < wide.size(); ++t) {
+    StretchTriangle& s = level.model.stretch[t];
+    for (int i = 0; i < 3; ++i) {
+      const double less =
+          (1 / wide[t].factor - 1) * (wide[t].weft * s.weft[i] + wide[t].warp * s.warp[i]);
+      s.weft[i] += less * wide[t].weft;
+      s.warp[i] += less * wide[t].warp;
+    }
   }
   return level;
 }
 
-Staged shrink(const Level& level, Staged staged, const Closing& closing, Journal& journal) {
-  RelaxOptions options = sewing_options(level, {1, closing.pull, 1});
+Staged shrink(const Level& level, Staged staged, Widening wide, double pull, Journal& journal) {
+  RelaxOptions options = sewing_options(level, {1, pull});
   options.max_iterations = shrinking_iterations;
   options.bounded = true;
-  for (double size = closing.size; size > 1;) {
-    size = std::max(shrinking_ratio * size, 1.0);
-    staged = run("shrink", level, enlarged(level, size).model, std::move(staged.state), options,
+  const auto is_wide = [](const WideTriangle& triangle) { return triangle.factor > 1; };
+  while (std::ranges::any_of(wide, is_wide)) {
+    for (WideTriangle& triangle : wide) {
+      triangle.factor = std::max(shrinking_ratio * triangle.factor, 1.0);
+    }
+    staged = run("shrink", level, widened(level, wide).model, std::move(staged.state), options,
                  progress_when_sewn(level, journal), journal);
     // This stage ends with the cloth's own size, not with rest.
     journal.mark_converged();

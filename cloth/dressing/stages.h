@@ -6,6 +6,7 @@
 #include "cloth/dressing/journal.h"
 #include "cloth/dressing/level.h"
 #include "cloth/start/turn_and_lift.h"
+#include "cloth/start/widening.h"
 
 namespace toile {
 
@@ -13,7 +14,8 @@ namespace toile {
 struct Staged {
   State state;
   StageReport report;
-  HeldSeams held = {};  ///< of close_seams()
+  HeldSeams held = {};            ///< of close_seams()
+  std::vector<double> open = {};  ///< RelaxReport's
 };
 
 /// The scene in which seams close. No cloth is softer than closing_stretch and closing_shear, for
@@ -32,25 +34,36 @@ Positioned position(const PanelMesh& mesh, int depth, const Scene& scene, double
 
 /// `close_seams`: closes the seams of panels that start at `state`, without gravity or friction,
 /// drawn to the skin. Cloth keeps off the body, with the gaps of open seams. It keeps off cloth,
-/// too, until no seam closes any more; then seams close through the cloth that holds them apart. In
-/// its own size the cloth then closes through the body, too. Larger cloth stays clear of the body,
-/// and `converged` says whether its seams closed. Unless it `heeds_body`, only pushes keep it off
-/// the body: on a very coarse mesh bounds leave seams too little way. `level` is that of
-/// position().
+/// too, until no seam closes any more. Seams then close through the cloth that holds them apart,
+/// and with `closing.through_body` through the body. `converged` says whether they closed. Unless
+/// the cloth `heeds_body`, only pushes keep it off the body: on a very coarse mesh bounds leave
+/// seams too little way. `level` is that of position(), maybe widened.
 Staged close_seams(const Level& level, State state, const Closing& closing, bool heeds_body,
                    Journal& journal);
 
 /// `untangle`: draws cloth that has come through cloth back out of it, then gives the cloth its own
 /// bending stiffness. It is drawn to the skin as while its seams closed. The report's `converged`
 /// says whether the cloth is clear of itself.
-Staged untangle(const Level& level, State state, const Closing& closing, Journal& journal);
+Staged untangle(const Level& level, State state, double pull, Journal& journal);
 
-/// The level with cloth that is `size` times as large in its plane.
-Level enlarged(Level level, double size);
+/// A triangle that is `factor` times as wide at rest along a direction of its plane.
+struct WideTriangle {
+  double factor = 1;
+  double weft = 0;  ///< the direction, a unit vector of its yarns
+  double warp = 0;
+};
 
-/// `shrink`: lets the cloth that closed as enlarged() to `closing.size` shrink to its own size. It
-/// is clear of the body and of itself, and stays so, whatever the strain. Size 1: nothing is done.
-Staged shrink(const Level& level, Staged staged, const Closing& closing, Journal& journal);
+/// Per triangle of a level, how wide its panel is while its seams close. Empty: as it is cut.
+using Widening = std::vector<WideTriangle>;
+
+/// The triangles of panels that stand where the level starts, before they are widened.
+Widening widening_of(const Level& level, const std::vector<WidePanel>& panels);
+
+Level widened(Level level, const Widening& wide);
+
+/// `shrink`: lets the cloth that closed as widened() shrink to its own width, drawn to the skin by
+/// `pull` of its weights. It is clear of the body and of itself, and stays so, whatever the strain.
+Staged shrink(const Level& level, Staged staged, Widening wide, double pull, Journal& journal);
 
 /// `untangle` of a garment that hangs as it is worn: crossing cloth is drawn apart under its
 /// weight. The report's `converged` says whether the cloth is clear of itself.

@@ -303,6 +303,13 @@ inline constexpr double seam_path_step = 0.02;
 /// obstructs no path for good.
 inline constexpr double armpit_length = 0.1;
 
+// Panels widened while their seams close (widening.h).
+
+/// Cosine between a seam and the bones from which on it runs along them.
+inline constexpr double seam_along_cosine = 0.5;
+/// Cosine between the bones of two panels from which on these go around the same part of the body.
+inline constexpr double same_way = 0.9;
+
 // Moving panels off layers (move_off_layers.h).
 
 /// Metres between the displacements that are tried.

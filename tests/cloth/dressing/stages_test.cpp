@@ -40,7 +40,7 @@ TEST(IsAtRest, ByWhatIsAskedForThoughAReleaseTriesForLess) {
   EXPECT_EQ(options.stop_wide, wanted.stop_wide);
 }
 
-// A tube half as wide as the body stands around it, enlarged, and gets its own size back.
+// A tube half as wide as the body stands around it, widened, and gets its own width back.
 TEST(Shrink, ClothFarTooSmallForTheBodyStaysAroundIt) {
   constexpr int columns = 12;
   constexpr int rows = 4;
@@ -59,17 +59,17 @@ TEST(Shrink, ClothFarTooSmallForTheBodyStaysAroundIt) {
   Scene scene;
   scene.collider = &collider;
   const Level level = compiled_level(garment, 0, closing_scene(scene), garment.placed, 0.002);
-  const Closing closing = {1, closing_pull, 2.3};
+  const Widening wide(level.model.stretch.size(), {2.3, 1, 0});
   Staged staged;
   staged.state.nodes = level.model.start;
   Journal journal({});
-  staged = shrink(level, std::move(staged), closing, journal);
+  staged = shrink(level, std::move(staged), wide, closing_pull, journal);
   EXPECT_TRUE(intersections({staged.state.nodes, level.model.node_triangles}, body).empty());
   // 24 chords, at least 2 mm off the skin: it pulled itself to the body.
   for (const Vec3& p : staged.state.nodes) EXPECT_NEAR(std::hypot(p.x(), p.z()), 0.102, 0.002);
-  // Nothing is done with cloth that closed in its own size.
+  // Nothing is done with cloth that closed in its own width.
   const std::vector<Vec3> before = staged.state.nodes;
-  staged = shrink(level, std::move(staged), closing_attempts.front(), journal);
+  staged = shrink(level, std::move(staged), {}, closing_pull, journal);
   EXPECT_EQ(staged.state.nodes, before);
 }
 
