@@ -33,8 +33,8 @@ struct Closing {
 inline constexpr std::array<Closing, 4> closing_attempts = {
     {{3000, closing_pull}, {10000, 0.5}, {10000, closing_pull}, {30000, closing_pull}}};
 
-/// Factor on the width of panels whose seams the body held apart, after each attempt: what is cut
-/// far too small for an arm or a hip does not close around it.
+/// Factor on the width of panels, after each attempt in which the body held their seams apart or
+/// they crossed it. What is cut far too small for an arm or a hip does not close around it.
 inline constexpr double widening = 1.5;
 /// Attempts with widened panels.
 inline constexpr int wide_attempts = 3;

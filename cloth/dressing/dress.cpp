@@ -223,7 +223,7 @@ DressResult dress(const PanelMesh& garment, const Scene& scene, const DressOptio
   const bool is_tangled =
       (!is_clear && count_self_intersections(level, state) > max_hopeful_intersections) ||
       (settled.was_held_apart &&
-       count_body_intersections(level, state) > max_hopeful_intersections);
+       body_intersections(level, state).size() > max_hopeful_intersections);
   const auto is_lost = [&] {
     return is_tangled || fallen(level, state, result.placement.placed) > fallen_off_drop;
   };

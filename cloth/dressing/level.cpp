@@ -68,10 +68,9 @@ std::size_t count_self_intersections(const Level& level, const State& state) {
   return self_intersections({state.nodes, level.model.node_triangles}).size();
 }
 
-std::size_t count_body_intersections(const Level& level, const State& state) {
+std::vector<TrianglePair> body_intersections(const Level& level, const State& state) {
   return intersections({state.nodes, level.model.node_triangles},
-                       level.model.scene.collider->body())
-      .size();
+                       level.model.scene.collider->body());
 }
 
 bool is_clear_of_layers(const Level& level, const State& state) {

@@ -7,6 +7,7 @@
 #include "cloth/model/compile.h"
 #include "cloth/relaxation/force_options.h"
 #include "cloth/scene/scene.h"
+#include "geometry/intersections.h"
 #include "pattern/panel_mesh.h"
 
 namespace toile {
@@ -53,7 +54,7 @@ bool is_clear_of_itself(const Level& level, const State& state);
 std::size_t count_self_intersections(const Level& level, const State& state);
 
 /// Pairs of triangles of cloth and body that intersect, by the exact test.
-std::size_t count_body_intersections(const Level& level, const State& state);
+std::vector<TrianglePair> body_intersections(const Level& level, const State& state);
 
 /// Whether the cloth is outside of all layers below and meets none of them, so that bounds can keep
 /// it so. False without layers.

@@ -118,7 +118,7 @@ std::vector<Vec3> lowered(const ArmRaise& raise, std::vector<Vec3> nodes) {
 bool is_in_the_way(const Level& level, const std::vector<Vec3>& nodes, const ArmRaise& raise) {
   State state;
   state.nodes = lowered(raise, nodes);
-  return count_body_intersections(level, state) > 0;
+  return !body_intersections(level, state).empty();
 }
 
 /// A mesh as its seams close and as the garment is then worn, with its arms down.
@@ -183,17 +183,17 @@ class Sewing {
       begin_attempt();
       Staged closed = close(levels.closing, closing, {});
       const bool is_first = !held;
-      if (is_first && !closed.held.open.empty()) {
-        held = HeldApart{std::move(closed.held), starts_at_, {}};
-      }
-      put_on(levels, std::move(closed), closing.pull, {});
+      if (is_first) held = HeldApart{std::move(closed.held), starts_at_, {}};
+      take(worn_after(levels, std::move(closed), closing.pull, {}));
       if (once) return;
       if (levels.closing.model.nodes > max_resewn_nodes) break;
-      if (is_first && held && !is_done()) close_widened(levels, *held);
+      if (is_first && !is_done()) close_widened(levels, *held);
       if (sewn_.is_clear) break;
     }
     // Fewer crossings come out while the garment settles.
-    if (body_crossings_ > max_hopeful_intersections && held) leave_seams_open(*held);
+    if (body_crossings_ > max_hopeful_intersections && !held->seams.open.empty()) {
+      leave_seams_open(*held);
+    }
   }
 
   bool is_done() const { return sewn_.is_clear && !sewn_.crosses_body; }
@@ -212,20 +212,32 @@ class Sewing {
 
   /// Where seams stood when they did not close any more, of panels that had started so.
   struct HeldApart {
-    HeldSeams seams;
+    HeldSeams seams;              ///< empty: all closed
     std::vector<Vec3> starts_at;  ///< metres, per material point
     Widening wide;
   };
 
-  /// Sews with those panels wider whose seams the body held apart. `held` is then the attempt that
-  /// left the fewest of them open.
+  /// A garment whose seams are closed, with the arms down.
+  struct Closed {
+    State state;
+    bool is_clear = false;           ///< of itself
+    std::vector<char> cuts;          ///< per panel, not 0 where it crosses the body
+    std::size_t body_crossings = 0;  ///< pairs of triangles
+  };
+
+  /// Sews with those panels wider whose seams the body held apart, or that cross it. `held` is then
+  /// the attempt that left the fewest seams open.
   void close_widened(const SewingLevels& levels, HeldApart& held) {
     if (around().skeleton == nullptr) return;
     const std::vector<int> panel_of = panel_of_points(mesh_);
     std::vector<WidePanel> panels;
     std::vector<char> open = held_points(levels.closing.model, held.seams);
     auto fewest = std::ranges::count(open, 1);
+    std::vector<char> cuts = cuts_;
     for (int i = 0; i < wide_attempts; ++i) {
+      for (std::size_t p = 0; p < open.size(); ++p) {
+        if (cuts[panel_of[p]] != 0) open[p] = 1;
+      }
       widen(mesh_, starts_at_, *around().skeleton, open, widening, panels);
       if (std::ranges::all_of(panels, [](const WidePanel& one) { return one.factor == 1; })) break;
       HeldApart trial{{}, starts_at_, widening_of(levels.closing, panels)};
@@ -237,22 +249,25 @@ class Sewing {
       Closing closing = closing_attempts.front();
       closing.through_body = false;
       Staged closed = close(widely.closing, closing, trial.wide);
-      if (closed.report.converged) {
-        put_on_if_better(widely, std::move(closed), trial.wide);
-        break;
-      }
-      const auto count = std::ranges::count(held_points(widely.closing.model, closed.held), 1);
-      open = held_points(widely.closing.model, {closed.state.nodes, closed.open});
-      if (count >= fewest) continue;
-      fewest = count;
       trial.seams = std::move(closed.held);
+      open = held_points(widely.closing.model, {closed.state.nodes, closed.open});
+      cuts.assign(cuts.size(), 0);
+      if (closed.report.converged) {
+        Closed worn = worn_after(widely, std::move(closed), closing.pull, trial.wide);
+        cuts = worn.cuts;
+        take_if_better(std::move(worn));
+        if (is_done()) break;
+      }
+      const auto count = std::ranges::count(held_points(widely.closing.model, trial.seams), 1);
+      if (count == 0 || count >= fewest) continue;
+      fewest = count;
       held = std::move(trial);
     }
     journal_.show_through({});
   }
 
   /// Lets cloth whose seams are closed come clear of itself, and takes it down with the arms.
-  void put_on(const SewingLevels& levels, Staged staged, double pull, const Widening& wide) {
+  Closed worn_after(const SewingLevels& levels, Staged staged, double pull, const Widening& wide) {
     const Level large = widened(levels.closing, wide);
     staged = untangle(large, std::move(staged.state), pull, journal_);
     // A tangle that falls only gets worse.
@@ -269,28 +284,36 @@ class Sewing {
     if (staged.report.converged) {
       staged = shrink(levels.worn, std::move(staged), wide, pull, journal_);
     }
-    sewn_.is_clear = staged.report.converged;
-    sewn_.state = std::move(staged.state);
-    body_crossings_ = count_body_intersections(levels.worn, sewn_.state);
-    sewn_.crosses_body = body_crossings_ > 0;
+    Closed closed{std::move(staged.state), staged.report.converged, {}, 0};
+    closed.cuts.assign(mesh_.panels.size(), 0);
+    const std::vector<int> panel_of = panel_of_triangles(mesh_);
+    for (const TrianglePair& pair : body_intersections(levels.worn, closed.state)) {
+      closed.cuts[panel_of[pair[0]]] = 1;
+      ++closed.body_crossings;
+    }
+    return closed;
+  }
+
+  void take(Closed closed) {
+    sewn_.state = std::move(closed.state);
+    sewn_.is_clear = closed.is_clear;
+    sewn_.crosses_body = closed.body_crossings > 0;
+    body_crossings_ = closed.body_crossings;
+    cuts_ = std::move(closed.cuts);
   }
 
   /// The same, unless it crosses no less of the body, or itself where it did not before.
-  bool put_on_if_better(const SewingLevels& levels, Staged staged, const Widening& wide) {
-    Sewn before = sewn_;
-    const std::size_t crossings_before = body_crossings_;
-    put_on(levels, std::move(staged), closing_pull, wide);
-    const bool is_better =
-        body_crossings_ < crossings_before && (sewn_.is_clear || !before.is_clear);
-    if (!is_better) {
-      sewn_ = std::move(before);
-      body_crossings_ = crossings_before;
+  bool take_if_better(Closed closed) {
+    if (closed.body_crossings >= body_crossings_ || (sewn_.is_clear && !closed.is_clear)) {
+      return false;
     }
-    return is_better;
+    take(std::move(closed));
+    return true;
   }
 
   /// Per material point, whether the sides of its seams stood apart.
   std::vector<char> held_points(const GarmentModel& model, const HeldSeams& held) const {
+    if (held.open.empty()) return std::vector<char>(model.node_of_point.size(), 0);
     const std::vector<Vec3> points = point_positions(model, held.nodes, held.open);
     // Where several seams meet in one node, they open together.
     std::vector<char> is_open(model.nodes, 0);
@@ -318,7 +341,7 @@ class Sewing {
       state.nodes[levels.closing.model.node_of_point[p]] = points[p];
     }
     begin_attempt();
-    if (put_on_if_better(levels, {std::move(state), {}}, held.wide)) {
+    if (take_if_better(worn_after(levels, {std::move(state), {}}, closing_pull, held.wide))) {
       sewn_.unsewn = std::move(open.unsewn);
     }
   }
@@ -333,7 +356,8 @@ class Sewing {
   std::optional<RaisedScene> raised_;
   std::vector<Vec3> starts_at_;  // metres, per material point, with the arms raised
   Sewn sewn_;
-  std::size_t body_crossings_ = 0;  // of sewn_
+  std::size_t body_crossings_ = 0;  // of sewn_, as the next
+  std::vector<char> cuts_;
 };
 
 }  // namespace

@@ -91,7 +91,10 @@ void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skel
       if (frame.half_width == 0) continue;
       if (std::abs((to - from).dot(frame.along)) < seam_along_cosine * (to - from).norm()) continue;
       is_held[p] = true;
-      panels[p].held[frame.side(0.5 * (from + to)) < 0 ? 0 : 1] = true;
+      double side = frame.side(0.5 * (from + to));
+      // Inward, the panels of one leg would come into those of the other.
+      if (is_limb(frame.part) && !is_arm(frame.part)) side = side_of(frame.part) * frame.across.x();
+      panels[p].held[side < 0 ? 0 : 1] = true;
     }
   }
   for (std::size_t p = 0; p < frames.size(); ++p) {
