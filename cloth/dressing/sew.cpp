@@ -225,8 +225,8 @@ class Sewing {
     std::size_t body_crossings = 0;  ///< pairs of triangles
   };
 
-  /// Sews with those panels wider whose seams the body held apart, or that cross it. `held` is then
-  /// the attempt that left the fewest seams open.
+  /// Sews with those panels wider whose seams the body held apart, or that cross it although their
+  /// seams closed. `held` is then the attempt that left the fewest seams open.
   void close_widened(const SewingLevels& levels, HeldApart& held) {
     if (around().skeleton == nullptr) return;
     const std::vector<int> panel_of = panel_of_points(mesh_);
@@ -235,8 +235,9 @@ class Sewing {
     auto fewest = std::ranges::count(open, 1);
     std::vector<char> cuts = cuts_;
     for (int i = 0; i < wide_attempts; ++i) {
-      for (std::size_t p = 0; p < open.size(); ++p) {
-        if (cuts[panel_of[p]] != 0) open[p] = 1;
+      // A tight sleeve closes around a slim arm, which cuts into it as it comes down.
+      if (std::ranges::count(open, 1) == 0) {
+        for (std::size_t p = 0; p < open.size(); ++p) open[p] = cuts[panel_of[p]];
       }
       widen(mesh_, starts_at_, *around().skeleton, open, widening, panels);
       if (std::ranges::all_of(panels, [](const WidePanel& one) { return one.factor == 1; })) break;

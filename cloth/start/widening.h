@@ -20,10 +20,10 @@ struct WidePanel {
   Vec3 moved(const Vec3& p) const { return p + (factor - 1) * across.dot(p - middle) * across; }
 };
 
-/// Widens the panels of seams that the body held apart, by `factor` times what they were widened
-/// before. `panels`: empty, or as from an earlier call. `placed`: metres, per material point, where
-/// the panels start, not widened. `held`: per material point, not 0 where its seam was held. A seam
-/// counts that runs along the bones, between panels of one part. Rolled panels stay. Linear.
+/// Widens panels by `factor` times what they were widened before. `panels`: empty, or as from an
+/// earlier call. `placed`: metres, per material point, where they start, not widened. `held`: per
+/// material point, not 0 where the body was in the way of the seam. A seam counts that runs along
+/// the bones, between a panel before and one behind them. Rolled panels stay. Linear.
 void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skeleton& skeleton,
            const std::vector<char>& held, double factor, std::vector<WidePanel>& panels);
 
