@@ -178,25 +178,24 @@ class Sewing {
   }
 
   void close_in_some_way(const SewingLevels& levels, bool once) {
-    std::optional<HeldApart> held;
+    HeldApart held{{}, starts_at_, {}};
+    bool is_first = true;
     for (const Closing& closing : closing_attempts) {
       begin_attempt();
       Staged closed = close(levels.closing, closing, {});
-      const bool is_first = !held;
-      if (is_first) held = HeldApart{std::move(closed.held), starts_at_, {}};
+      if (held.seams.open.empty()) held.seams = std::move(closed.held);
       take(worn_after(levels, std::move(closed), closing.pull, {}));
       if (once) return;
       if (levels.closing.model.nodes > max_resewn_nodes) break;
-      if (is_first && !is_done()) close_widened(levels, *held);
+      if (is_first && sewn_.crosses_body) close_widened(levels, held);
+      is_first = false;
       if (sewn_.is_clear) break;
     }
     // Fewer crossings come out while the garment settles.
-    if (body_crossings_ > max_hopeful_intersections && !held->seams.open.empty()) {
-      leave_seams_open(*held);
+    if (body_crossings_ > max_hopeful_intersections && !held.seams.open.empty()) {
+      leave_seams_open(held);
     }
   }
-
-  bool is_done() const { return sewn_.is_clear && !sewn_.crosses_body; }
 
   void begin_attempt() {
     journal_.begin_attempt(attempt_++);
@@ -239,8 +238,7 @@ class Sewing {
       if (std::ranges::count(open, 1) == 0) {
         for (std::size_t p = 0; p < open.size(); ++p) open[p] = cuts[panel_of[p]];
       }
-      widen(mesh_, starts_at_, *around().skeleton, open, widening, panels);
-      if (std::ranges::all_of(panels, [](const WidePanel& one) { return one.factor == 1; })) break;
+      if (!widen(mesh_, starts_at_, *around().skeleton, open, widening, panels)) break;
       HeldApart trial{{}, starts_at_, widening_of(levels.closing, panels)};
       for (std::size_t p = 0; p < trial.starts_at.size(); ++p) {
         trial.starts_at[p] = panels[panel_of[p]].moved(trial.starts_at[p]);
@@ -256,8 +254,10 @@ class Sewing {
       if (closed.report.converged) {
         Closed worn = worn_after(widely, std::move(closed), closing.pull, trial.wide);
         cuts = worn.cuts;
-        take_if_better(std::move(worn));
-        if (is_done()) break;
+        // What is tangled has not shrunk.
+        const bool is_done = worn.is_clear && worn.body_crossings == 0;
+        if (worn.is_clear) take_if_better(std::move(worn));
+        if (is_done) break;
       }
       const auto count = std::ranges::count(held_points(widely.closing.model, trial.seams), 1);
       if (count == 0 || count >= fewest) continue;
@@ -303,11 +303,9 @@ class Sewing {
     cuts_ = std::move(closed.cuts);
   }
 
-  /// The same, unless it crosses no less of the body, or itself where it did not before.
+  /// The same, where it crosses less of the body.
   bool take_if_better(Closed closed) {
-    if (closed.body_crossings >= body_crossings_ || (sewn_.is_clear && !closed.is_clear)) {
-      return false;
-    }
+    if (closed.body_crossings >= body_crossings_) return false;
     take(std::move(closed));
     return true;
   }

@@ -24,8 +24,8 @@ struct Sewn {
 /// (ArmRaise). Skirts and wide tops then close past the arms, and sleeves around them. The garment
 /// comes down with the arms. Over layers the arms stay.
 ///
-/// Panels that tangle, or whose seams the body holds apart, are sewn again in other ways
-/// (closing_attempts), unless `once` is asked for. What then crosses the body in more than
+/// Panels that tangle are sewn again in other ways (closing_attempts), and those that cross the
+/// body wider (widening.h), unless `once` is asked for. What then crosses the body in more than
 /// max_hopeful_intersections places has those seams left open that were held apart. Throws what
 /// find_start() and compile() throw.
 Sewn sew(const PanelMesh& mesh, int depth, const Scene& scene, double resting_offset, bool once,

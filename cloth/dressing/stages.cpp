@@ -217,7 +217,7 @@ Staged shrink(const Level& level, Staged staged, Widening wide, double pull, Jou
     }
     staged = run("shrink", level, widened(level, wide).model, std::move(staged.state), options,
                  progress_when_sewn(level, journal), journal);
-    // This stage ends with the cloth's own size, not with rest.
+    // This stage ends with the cloth's own width, not with rest.
     journal.mark_converged();
     staged.report.converged = true;
   }

@@ -1,7 +1,6 @@
 #include "cloth/start/widening.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,7 +50,7 @@ PanelFrame frame_of(const PanelMesh& garment, const MeshedPanel& panel, BodyPart
   frame.along = bones.average(low, high).second;
   frame.normal = normal_of(garment, panel, placed).normalized();
   const Vec3 across = frame.normal.cross(frame.along);
-  if (across.norm() == 0) return frame;
+  if (across.norm() < 0.1) return frame;
   frame.across = across.normalized();
   const Vec3& first = placed[panel.first_point];
   double left = 0;
@@ -67,7 +66,7 @@ PanelFrame frame_of(const PanelMesh& garment, const MeshedPanel& panel, BodyPart
 
 }  // namespace
 
-void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skeleton& skeleton,
+bool widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skeleton& skeleton,
            const std::vector<char>& held, double factor, std::vector<WidePanel>& panels) {
   const std::vector<BodyPart> parts = panel_parts(garment, skeleton);
   const std::vector<int> panel_of = panel_of_points(garment);
@@ -83,7 +82,10 @@ void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skel
     // Before and behind the same bones.
     if (std::abs(frames[a].along.dot(frames[b].along)) < same_way) continue;
     if (frames[a].normal.dot(frames[b].normal) > same_facing) continue;
-    if (std::ranges::none_of(seam.a, [&](int point) { return held[point] != 0; })) continue;
+    const auto is_held_at = [&](int point) { return held[point] != 0; };
+    if (std::ranges::none_of(seam.a, is_held_at) && std::ranges::none_of(seam.b, is_held_at)) {
+      continue;
+    }
     for (const auto& [p, points] : {std::pair(a, &seam.a), std::pair(b, &seam.b)}) {
       const PanelFrame& frame = frames[p];
       const Vec3& from = placed[points->front()];
@@ -97,8 +99,10 @@ void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skel
       panels[p].held[side < 0 ? 0 : 1] = true;
     }
   }
+  bool any = false;
   for (std::size_t p = 0; p < frames.size(); ++p) {
     if (!is_held[p]) continue;
+    any = true;
     WidePanel& panel = panels[p];
     panel.factor *= factor;
     panel.across = frames[p].across;
@@ -106,6 +110,7 @@ void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skel
     const double shift = panel.held[0] == panel.held[1] ? 0 : panel.held[0] ? 1 : -1;
     panel.middle = frames[p].middle + shift * frames[p].half_width * panel.across;
   }
+  return any;
 }
 
 }  // namespace toile

@@ -22,9 +22,10 @@ struct WidePanel {
 
 /// Widens panels by `factor` times what they were widened before. `panels`: empty, or as from an
 /// earlier call. `placed`: metres, per material point, where they start, not widened. `held`: per
-/// material point, not 0 where the body was in the way of the seam. A seam counts that runs along
-/// the bones, between a panel before and one behind them. Rolled panels stay. Linear.
-void widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skeleton& skeleton,
+/// material point, not 0 where its seam was held apart, or where its panel crosses the body. A seam
+/// counts that runs along the bones, between a panel before and one behind them. Rolled panels
+/// stay. Returns whether any panel was widened. Linear.
+bool widen(const PanelMesh& garment, const std::vector<Vec3>& placed, const Skeleton& skeleton,
            const std::vector<char>& held, double factor, std::vector<WidePanel>& panels);
 
 }  // namespace toile

@@ -94,6 +94,19 @@ TEST(Widen, AgainWhereASeamIsHeldAgain) {
   EXPECT_NEAR(span(garment, panels, 3).first, -1.5 * 1.5 * width, 1e-12);
 }
 
+TEST(Widen, OfEitherSideOfASeam) {
+  const PanelMesh garment = skirt();
+  std::vector<char> held(garment.placed.size(), 0);
+  for (int p = 2 * row * row; p < 3 * row * row; ++p) held[p] = 1;  // a panel that the body cuts
+  std::vector<WidePanel> panels;
+  EXPECT_TRUE(widen(garment, garment.placed, test::figure(), held, 1.5, panels));
+  EXPECT_EQ(panels[0].factor, 1.5);
+  EXPECT_EQ(panels[2].factor, 1.5);
+  EXPECT_FALSE(widen(garment, garment.placed, test::figure(),
+                     std::vector<char>(garment.placed.size(), 0), 1.5, panels));
+  EXPECT_EQ(panels[0].factor, 1.5);
+}
+
 TEST(Widen, SeamsInOnePlaneAndAcrossSayNothing) {
   for (const WidePanel& panel : widened_by(skirt(), {{2, 3}})) EXPECT_EQ(panel.factor, 1);
 }
